@@ -1,0 +1,164 @@
+package mmneat.random;
+
+import java.util.random.RandomGenerator;
+
+/**
+ * The number sequence of {@link java.util.Random}, with a state that can be read and set.
+ *
+ * <p>Every draw gives the same number as {@code java.util.Random} with the same seed, the second value of a pair of
+ * Gaussians included. Unlike it, this class has no locks or atomic variables: one generator belongs to one thread.
+ *
+ * <p>Source: spec/networks.md, section 2; the documented algorithm of {@code java.util.Random}.
+ */
+public final class ResumableRandom implements RandomGenerator {
+
+    private static final long MULTIPLIER = 0x5DEECE66DL;
+    private static final long ADDEND = 0xBL;
+    private static final long MASK = (1L << 48) - 1;
+    private static final double DOUBLE_UNIT = 0x1.0p-53;
+    private static final float FLOAT_UNIT = 0x1.0p-24f;
+
+    /** The 48 bits of the linear congruential generator, already scrambled. */
+    private long bits;
+
+    private double cachedGaussian;
+    private boolean hasCachedGaussian;
+
+    /** A generator that continues as {@code new java.util.Random(seed)} would. */
+    public ResumableRandom(long seed) {
+        setSeed(seed);
+    }
+
+    private ResumableRandom(ResumableRandom other) {
+        bits = other.bits;
+        cachedGaussian = other.cachedGaussian;
+        hasCachedGaussian = other.hasCachedGaussian;
+    }
+
+    /** A generator that continues from {@code state}. */
+    public static ResumableRandom resume(State state) {
+        ResumableRandom random = new ResumableRandom(0);
+        random.setState(state);
+        return random;
+    }
+
+    /** Starts the sequence of {@code new java.util.Random(seed)}; a cached Gaussian is dropped. */
+    public void setSeed(long seed) {
+        bits = (seed ^ MULTIPLIER) & MASK;
+        hasCachedGaussian = false;
+    }
+
+    /** An independent generator that continues exactly as this one would. */
+    public ResumableRandom copy() {
+        return new ResumableRandom(this);
+    }
+
+    /** Makes this generator continue as {@code other} would, without allocation. */
+    public void continueAs(ResumableRandom other) {
+        bits = other.bits;
+        cachedGaussian = other.cachedGaussian;
+        hasCachedGaussian = other.hasCachedGaussian;
+    }
+
+    /** Everything that decides the numbers to come. */
+    public State state() {
+        return new State(bits, hasCachedGaussian, hasCachedGaussian ? cachedGaussian : 0);
+    }
+
+    public void setState(State state) {
+        bits = state.bits();
+        hasCachedGaussian = state.hasCachedGaussian();
+        cachedGaussian = state.cachedGaussian();
+    }
+
+    /** The 48 state bits, as {@code java.util.Random} keeps them (scrambled). */
+    public long bits() {
+        return bits;
+    }
+
+    private int next(int count) {
+        bits = (bits * MULTIPLIER + ADDEND) & MASK;
+        return (int) (bits >>> (48 - count));
+    }
+
+    @Override
+    public int nextInt() {
+        return next(32);
+    }
+
+    /** {@inheritDoc} Uniform over [0, bound). */
+    @Override
+    public int nextInt(int bound) {
+        if (bound <= 0) {
+            throw new IllegalArgumentException("bound must be positive, is " + bound);
+        }
+        int draw = next(31);
+        int mask = bound - 1;
+        if ((bound & mask) == 0) {
+            return (int) ((bound * (long) draw) >> 31);
+        }
+        // Rejects the incomplete last stretch of numbers, so that every value is equally likely.
+        int value = draw % bound;
+        while (draw - value + mask < 0) {
+            draw = next(31);
+            value = draw % bound;
+        }
+        return value;
+    }
+
+    @Override
+    public long nextLong() {
+        return ((long) next(32) << 32) + next(32);
+    }
+
+    @Override
+    public boolean nextBoolean() {
+        return next(1) != 0;
+    }
+
+    @Override
+    public float nextFloat() {
+        return next(24) * FLOAT_UNIT;
+    }
+
+    @Override
+    public double nextDouble() {
+        return (((long) next(26) << 27) + next(27)) * DOUBLE_UNIT;
+    }
+
+    /** {@inheritDoc} Marsaglia's polar method, which makes two values at a time and keeps the second. */
+    @Override
+    public double nextGaussian() {
+        if (hasCachedGaussian) {
+            hasCachedGaussian = false;
+            return cachedGaussian;
+        }
+        double first;
+        double second;
+        double square;
+        do {
+            first = 2 * nextDouble() - 1;
+            second = 2 * nextDouble() - 1;
+            square = first * first + second * second;
+        } while (square >= 1 || square == 0);
+        double scale = StrictMath.sqrt(-2 * StrictMath.log(square) / square);
+        cachedGaussian = second * scale;
+        hasCachedGaussian = true;
+        return first * scale;
+    }
+
+    /**
+     * State of a generator between two draws.
+     *
+     * @param bits the 48 bits of the linear congruential generator, in [0, 2^48)
+     * @param hasCachedGaussian whether the next Gaussian is already known
+     * @param cachedGaussian that Gaussian; 0 if there is none
+     */
+    public record State(long bits, boolean hasCachedGaussian, double cachedGaussian) {
+        public State {
+            if (bits < 0 || bits > MASK) {
+                throw new IllegalArgumentException("generator state must be in [0, 2^48), is " + bits);
+            }
+        }
+    }
+}
