@@ -1,0 +1,207 @@
+package mmneat.neat;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * A network as evolution sees it: node genes in activation order, link genes, and the division of outputs into modules.
+ *
+ * <p>Immutable. Nodes are the inputs, then the hidden neurons, then the outputs. The order of links has no effect on the
+ * network's outputs (beyond rounding) but decides which link a random index hits. Inactive links are not part of the network.
+ * Innovations of nodes and of links are separate name spaces.
+ *
+ * <p>Source: spec/networks.md, section 3.
+ */
+public final class Genotype {
+
+    private final long id;
+    private final int inputs;
+    private final ModuleLayout layout;
+    private final List<NodeGene> nodes;
+    private final List<LinkGene> links;
+    private final int[] moduleUsage;
+
+    /**
+     * A checked genotype.
+     *
+     * @param id number of this individual in its run
+     * @param inputs number of input neurons
+     * @param layout division of the outputs into modules
+     * @param nodes node genes in activation order: inputs, hidden, outputs
+     * @param links link genes; no two with the same innovation or the same end points, none into an input
+     * @param moduleUsage how often each module was chosen in the evaluation that is remembered; its length is the number of
+     *     modules at that time
+     * @throws IllegalArgumentException if the genes do not make a network; the message says where
+     */
+    public Genotype(
+            long id, int inputs, ModuleLayout layout, List<NodeGene> nodes, List<LinkGene> links, int[] moduleUsage) {
+        this(id, inputs, layout, List.copyOf(nodes), List.copyOf(links), moduleUsage.clone(), true);
+    }
+
+    private Genotype(
+            long id,
+            int inputs,
+            ModuleLayout layout,
+            List<NodeGene> nodes,
+            List<LinkGene> links,
+            int[] moduleUsage,
+            boolean check) {
+        this.id = id;
+        this.inputs = inputs;
+        this.layout = layout;
+        this.nodes = nodes;
+        this.links = links;
+        this.moduleUsage = moduleUsage;
+        if (check) {
+            requireNodesInOrder();
+            requireLinksBetweenNodes();
+            requireUsageCounts();
+        }
+    }
+
+    /** Number of this individual in its run. */
+    public long id() {
+        return id;
+    }
+
+    /** Number of input neurons. */
+    public int inputs() {
+        return inputs;
+    }
+
+    /** Number of hidden neurons. */
+    public int hidden() {
+        return nodes.size() - inputs - layout.outputs();
+    }
+
+    /** Number of output neurons, preference neurons included. */
+    public int outputs() {
+        return layout.outputs();
+    }
+
+    /** Number of output modules. */
+    public int modules() {
+        return layout.modules();
+    }
+
+    /** Division of the outputs into modules. */
+    public ModuleLayout layout() {
+        return layout;
+    }
+
+    /** Node genes in activation order: inputs, hidden, outputs. Unmodifiable, with fast random access. */
+    public List<NodeGene> nodes() {
+        return nodes;
+    }
+
+    /** Link genes, inactive ones included. Unmodifiable, with fast random access. */
+    public List<LinkGene> links() {
+        return links;
+    }
+
+    /** Position in {@link #nodes()} of the first output. */
+    public int firstOutput() {
+        return nodes.size() - layout.outputs();
+    }
+
+    /** How often each module was chosen in the evaluation that is remembered (a copy). */
+    public int[] moduleUsage() {
+        return moduleUsage.clone();
+    }
+
+    /** This individual after an evaluation in which its modules were chosen so often. */
+    public Genotype withModuleUsage(int[] usage) {
+        Genotype evaluated = new Genotype(id, inputs, layout, nodes, links, usage.clone(), false);
+        evaluated.requireUsageCounts();
+        return evaluated;
+    }
+
+    /** The same network under another id. */
+    public Genotype withId(long newId) {
+        return new Genotype(newId, inputs, layout, nodes, links, moduleUsage, false);
+    }
+
+    private void requireNodesInOrder() {
+        if (inputs < 1 || nodes.size() < inputs + layout.outputs()) {
+            throw new IllegalArgumentException("nodes: " + nodes.size() + " are too few for " + inputs + " inputs and "
+                    + layout.outputs() + " outputs");
+        }
+        Set<Long> innovations = new HashSet<>(nodes.size() * 2);
+        for (int i = 0; i < nodes.size(); i++) {
+            NodeType expected = i < inputs ? NodeType.INPUT : i < firstOutput() ? NodeType.HIDDEN : NodeType.OUTPUT;
+            NodeGene node = nodes.get(i);
+            if (node.type() != expected) {
+                throw new IllegalArgumentException("nodes[" + i + "]: must be of type " + expected + " with " + inputs
+                        + " inputs and " + layout.outputs() + " outputs, is " + node.type());
+            }
+            if (!innovations.add(node.innovation())) {
+                throw new IllegalArgumentException(
+                        "nodes[" + i + "]: innovation " + node.innovation() + " occurs twice");
+            }
+        }
+    }
+
+    private void requireLinksBetweenNodes() {
+        Map<Long, Integer> positions = new HashMap<>(nodes.size() * 2);
+        for (int i = 0; i < nodes.size(); i++) {
+            positions.put(nodes.get(i).innovation(), i);
+        }
+        Set<Long> innovations = new HashSet<>(links.size() * 2);
+        Set<Long> endPoints = new HashSet<>(links.size() * 2);
+        for (int i = 0; i < links.size(); i++) {
+            LinkGene link = links.get(i);
+            Integer source = positions.get(link.source());
+            Integer target = positions.get(link.target());
+            if (source == null || target == null) {
+                throw new IllegalArgumentException(
+                        "links[" + i + "]: no node has innovation " + (source == null ? link.source() : link.target()));
+            }
+            if (target < inputs) {
+                throw new IllegalArgumentException("links[" + i + "]: leads into input " + link.target());
+            }
+            if (!innovations.add(link.innovation())) {
+                throw new IllegalArgumentException(
+                        "links[" + i + "]: innovation " + link.innovation() + " occurs twice");
+            }
+            if (!endPoints.add((long) source * nodes.size() + target)) {
+                throw new IllegalArgumentException(
+                        "links[" + i + "]: a second link from " + link.source() + " to " + link.target());
+            }
+        }
+    }
+
+    private void requireUsageCounts() {
+        for (int i = 0; i < moduleUsage.length; i++) {
+            if (moduleUsage[i] < 0) {
+                throw new IllegalArgumentException("moduleUsage[" + i + "]: is negative: " + moduleUsage[i]);
+            }
+        }
+    }
+
+    /** Equal in every gene, count and id. */
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Genotype that
+                && id == that.id
+                && inputs == that.inputs
+                && layout.equals(that.layout)
+                && nodes.equals(that.nodes)
+                && links.equals(that.links)
+                && Arrays.equals(moduleUsage, that.moduleUsage);
+    }
+
+    @Override
+    public int hashCode() {
+        return Long.hashCode(id) * 31 + links.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return "genotype " + id + " (" + inputs + " inputs, " + hidden() + " hidden, " + outputs() + " outputs in "
+                + modules() + " modules, " + links.size() + " links)";
+    }
+}

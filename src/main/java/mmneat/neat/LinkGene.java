@@ -1,0 +1,51 @@
+package mmneat.neat;
+
+/**
+ * One connection of a genotype.
+ *
+ * @param innovation historical marking; equal numbers have equal end points
+ * @param source innovation of the neuron that the link comes from
+ * @param target innovation of the neuron that the link leads to, never an input
+ * @param weight any double, unbounded
+ * @param active whether the link exists in the network; a spliced link is inactive until its genotype is copied
+ * @param recurrent whether the target stood at or before the source when the link was made; information only
+ * @param frozen whether weight mutation and splicing pass this link over
+ */
+public record LinkGene(
+        long innovation, long source, long target, double weight, boolean active, boolean recurrent, boolean frozen) {
+
+    /** An active link that is not frozen. */
+    public LinkGene(long innovation, long source, long target, double weight, boolean recurrent) {
+        this(innovation, source, target, weight, true, recurrent, false);
+    }
+
+    /** This gene with another weight. */
+    public LinkGene withWeight(double value) {
+        return new LinkGene(innovation, source, target, value, active, recurrent, frozen);
+    }
+
+    /** This gene with another innovation number. */
+    public LinkGene withInnovation(long value) {
+        return value == innovation ? this : new LinkGene(value, source, target, weight, active, recurrent, frozen);
+    }
+
+    /** This gene between other neurons and under another number, as that is then another structure. */
+    public LinkGene moved(long newInnovation, long newSource, long newTarget) {
+        return new LinkGene(newInnovation, newSource, newTarget, weight, active, recurrent, frozen);
+    }
+
+    /** This gene, active or not. */
+    public LinkGene withActive(boolean value) {
+        return value == active ? this : new LinkGene(innovation, source, target, weight, value, recurrent, frozen);
+    }
+
+    /** This gene, frozen or not. */
+    public LinkGene withFrozen(boolean value) {
+        return value == frozen ? this : new LinkGene(innovation, source, target, weight, active, recurrent, value);
+    }
+
+    /** Whether both links connect the same neurons in the same direction. */
+    boolean hasSameEndPoints(LinkGene other) {
+        return source == other.source && target == other.target;
+    }
+}

@@ -1,0 +1,31 @@
+package mmneat.neat;
+
+import java.util.Objects;
+
+/**
+ * One neuron of a genotype.
+ *
+ * @param innovation historical marking; negative and by position for inputs and outputs, counted from 0 for hidden neurons
+ * @param type input, hidden or output
+ * @param activation the neuron's activation function
+ * @param frozen whether new links into this neuron are forbidden
+ * @param fromCombiningCrossover marks a shadow entry of the archetype; false in every network
+ */
+public record NodeGene(
+        long innovation, NodeType type, ActivationFunction activation, boolean frozen, boolean fromCombiningCrossover) {
+
+    public NodeGene {
+        Objects.requireNonNull(type, "type");
+        Objects.requireNonNull(activation, "activation");
+    }
+
+    /** A neuron that is neither frozen nor a shadow. */
+    public NodeGene(long innovation, NodeType type, ActivationFunction activation) {
+        this(innovation, type, activation, false, false);
+    }
+
+    /** This gene, frozen or not. */
+    public NodeGene withFrozen(boolean value) {
+        return value == frozen ? this : new NodeGene(innovation, type, activation, value, fromCombiningCrossover);
+    }
+}

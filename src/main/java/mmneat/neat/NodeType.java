@@ -1,0 +1,27 @@
+package mmneat.neat;
+
+/** Where a neuron stands in a network. */
+public enum NodeType {
+    INPUT,
+    HIDDEN,
+    OUTPUT;
+
+    /** The original's code: 0 input, 1 hidden, 2 output. */
+    public int code() {
+        return ordinal();
+    }
+
+    /**
+     * The type with the original's code.
+     *
+     * @throws IllegalArgumentException if no type has this code
+     */
+    public static NodeType ofCode(int code) {
+        return switch (code) {
+            case 0 -> INPUT;
+            case 1 -> HIDDEN;
+            case 2 -> OUTPUT;
+            default -> throw new IllegalArgumentException("node type must be 0, 1 or 2, is " + code);
+        };
+    }
+}
