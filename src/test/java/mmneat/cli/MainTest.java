@@ -1,0 +1,68 @@
+package mmneat.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import mmneat.experiment.UserError;
+import org.junit.jupiter.api.Test;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+
+class MainTest {
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    private int execute(Object extraCommand, String... arguments) {
+        CommandLine line = Main.commandLine();
+        line.addSubcommand(extraCommand);
+        line.setOut(new PrintWriter(out, true));
+        line.setErr(new PrintWriter(errors, true));
+        return line.execute(arguments);
+    }
+
+    @Command(name = "mistake")
+    static final class Mistake implements Runnable {
+        @Override
+        public void run() {
+            throw new UserError("no such thing; try another");
+        }
+    }
+
+    @Command(name = "failure")
+    static final class Failure implements Runnable {
+        @Override
+        public void run() {
+            throw new IllegalStateException("broken");
+        }
+    }
+
+    @Test
+    void userError_isOneLineAndExitCodeTwo() {
+        assertThat(execute(new Mistake(), "mistake")).isEqualTo(2);
+        assertThat(errors.toString().lines()).containsExactly("mmneat: no such thing; try another");
+        assertThat(out.toString()).isEmpty();
+    }
+
+    @Test
+    void anyOtherException_isAStackTraceAndExitCodeOne() {
+        assertThat(execute(new Failure(), "failure")).isEqualTo(1);
+        assertThat(errors.toString()).contains("IllegalStateException: broken").contains("at mmneat.cli.MainTest");
+    }
+
+    @Test
+    void unknownOption_isOneLineAndExitCodeTwo() {
+        assertThat(execute(new Mistake(), "mistake", "--nonsense")).isEqualTo(2);
+        assertThat(errors.toString().lines()).hasSize(1);
+        assertThat(errors.toString()).contains("--nonsense").contains("mistake --help");
+    }
+
+    @Test
+    void help_andVersion_succeed() {
+        assertThat(execute(new Mistake(), "--help")).isZero();
+        assertThat(execute(new Mistake(), "--version")).isZero();
+        assertThat(out.toString()).contains("Usage: mmneat").contains("MM-NEAT (not packaged)");
+        assertThat(errors.toString()).isEmpty();
+    }
+}
