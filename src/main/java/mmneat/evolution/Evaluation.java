@@ -1,0 +1,63 @@
+package mmneat.evolution;
+
+import java.util.Arrays;
+
+/**
+ * What an evaluation says of a genotype.
+ *
+ * @param objectives scores that are selected for, all maximised, in the order of {@link Task#objectiveNames()}
+ * @param otherScores scores that are only recorded, in the order of {@link Task#otherScoreNames()}
+ * @param moduleUsage how often each output module was chosen, in that part of the evaluation that counts for module mutation
+ *     and for the logs (spec/networks.md, section 6.4)
+ * @param outcomes how the trials ended
+ */
+public record Evaluation(double[] objectives, double[] otherScores, int[] moduleUsage, Outcomes outcomes) {
+
+    public Evaluation {
+        objectives = objectives.clone();
+        otherScores = otherScores.clone();
+        moduleUsage = moduleUsage.clone();
+    }
+
+    /**
+     * How the trials of an evaluation ended, and what they cost. An episodic task counts one of the first three per episode;
+     * others may leave them 0.
+     *
+     * @param succeeded episodes with everything done (all levels beaten)
+     * @param timedOut episodes ended by a time limit
+     * @param failed episodes ended by a failure (all lives lost)
+     * @param steps simulated time steps
+     */
+    public record Outcomes(int succeeded, int timedOut, int failed, long steps) {
+
+        /** Of an evaluation without episodes. */
+        public static final Outcomes NONE = new Outcomes(0, 0, 0, 0);
+
+        /** Both together. */
+        public Outcomes plus(Outcomes other) {
+            return new Outcomes(
+                    succeeded + other.succeeded, timedOut + other.timedOut, failed + other.failed, steps + other.steps);
+        }
+    }
+
+    /** Equal in every number. */
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Evaluation that
+                && Arrays.equals(objectives, that.objectives)
+                && Arrays.equals(otherScores, that.otherScores)
+                && Arrays.equals(moduleUsage, that.moduleUsage)
+                && outcomes.equals(that.outcomes);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(objectives) * 31 + Arrays.hashCode(otherScores);
+    }
+
+    @Override
+    public String toString() {
+        return "objectives " + Arrays.toString(objectives) + ", other scores " + Arrays.toString(otherScores)
+                + ", module usage " + Arrays.toString(moduleUsage) + ", " + outcomes;
+    }
+}

@@ -1,0 +1,49 @@
+package mmneat.evolution;
+
+import java.util.Arrays;
+
+/**
+ * Least, mean, largest and standard deviation of a sample, summed in the original's order so that the last bit is the same.
+ *
+ * <p>Source: spec/evolution.md, sections 1.3 and 5.2.
+ *
+ * @param min the least value
+ * @param mean the running mean
+ * @param max the largest value
+ * @param deviation the sample standard deviation (n - 1); NaN for a single value
+ */
+public record SampleStatistics(double min, double mean, double max, double deviation) {
+
+    /** Statistics of at least one value. */
+    public static SampleStatistics of(double... sample) {
+        return new SampleStatistics(
+                Arrays.stream(sample).min().orElseThrow(),
+                mean(sample),
+                Arrays.stream(sample).max().orElseThrow(),
+                StrictMath.sqrt(variance(sample)));
+    }
+
+    /** Running mean of at least one value. */
+    public static double mean(double... sample) {
+        if (sample.length == 0) {
+            throw new IllegalArgumentException("no values to average");
+        }
+        double mean = 0;
+        for (int i = 0; i < sample.length; i++) {
+            mean += (sample[i] - mean) / (i + 1);
+        }
+        return mean;
+    }
+
+    /** Sample variance (n - 1); NaN for a single value. */
+    public static double variance(double... sample) {
+        double mean = 0;
+        double squares = 0;
+        for (int i = 0; i < sample.length; i++) {
+            double previous = mean;
+            mean += (sample[i] - mean) / (i + 1);
+            squares += (sample[i] - mean) * (sample[i] - previous);
+        }
+        return squares / (sample.length - 1);
+    }
+}

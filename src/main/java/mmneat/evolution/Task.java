@@ -1,0 +1,76 @@
+package mmneat.evolution;
+
+import java.util.List;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+
+/**
+ * What networks are evolved for: a domain that evaluates a genotype.
+ *
+ * <p>An instance is used by one thread at a time. All its answers but {@link #evaluate} are the same for its whole life, and
+ * an evaluation depends on nothing but the genotype and the generator: then a run can be repeated and resumed.
+ *
+ * <p>Source: spec/evolution.md, section 1.3.
+ */
+public interface Task {
+
+    /** Names of the objectives, all maximised, in the order of {@link Evaluation#objectives()}; at least one. */
+    List<String> objectiveNames();
+
+    /**
+     * The worst score possible in each objective, from which a hypervolume is measured: 0 unless a task says otherwise.
+     *
+     * @return one number per objective
+     */
+    default double[] leastScores() {
+        return new double[objectiveNames().size()];
+    }
+
+    /**
+     * Names of the scores that are recorded but not selected for, in the order of {@link Evaluation#otherScores()}; they need
+     * not differ.
+     */
+    default List<String> otherScoreNames() {
+        return List.of();
+    }
+
+    /**
+     * {@link #otherScoreNames()} with the way in which each is formed from the trials where that is worth saying, for example
+     * {@code GameScore[Max]}: how summaries over runs name them.
+     */
+    default List<String> otherScoreLabels() {
+        return otherScoreNames();
+    }
+
+    /**
+     * The score by which the champion of a generation is chosen and learning curves are drawn, larger is better: the first
+     * objective unless a task says otherwise.
+     */
+    default double championScore(Evaluation evaluation) {
+        return evaluation.objectives()[0];
+    }
+
+    /** What each input of a network means, in the order of the inputs. */
+    List<String> inputLabels();
+
+    /** Number of inputs of a network. */
+    default int inputs() {
+        return inputLabels().size();
+    }
+
+    /** Number of policy neurons in each output module of a network. */
+    int policyNeuronsPerModule();
+
+    /** How many trials make one evaluation. */
+    default int trials() {
+        return 1;
+    }
+
+    /**
+     * Scores a genotype.
+     *
+     * @param genotype with {@link #inputs()} inputs and {@link #policyNeuronsPerModule()} policy neurons per module
+     * @param random source of every random decision of the evaluation
+     */
+    Evaluation evaluate(Genotype genotype, ResumableRandom random);
+}

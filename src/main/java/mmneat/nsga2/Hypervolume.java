@@ -1,0 +1,69 @@
+package mmneat.nsga2;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * The volume that a set of score vectors dominates above a reference point: the larger, the closer and the broader the front.
+ *
+ * <p>Source: E. Zitzler, L. Thiele: Multiobjective evolutionary algorithms, IEEE Transactions on Evolutionary Computation 3
+ * (1999); spec/evolution.md, section 7.
+ */
+public final class Hypervolume {
+
+    private Hypervolume() {}
+
+    /**
+     * Measure of the union of the boxes from {@code reference} to each point. A point below the reference in some objective
+     * dominates nothing of it.
+     *
+     * @param scores {@code scores[individual][objective]}, all maximised
+     * @param reference least score of each objective
+     */
+    public static double of(double[][] scores, double[] reference) {
+        List<double[]> boxes = Arrays.stream(scores)
+                .map(score -> minus(score, reference))
+                .filter(box -> Arrays.stream(box).allMatch(side -> side > 0))
+                .toList();
+        return unionOfBoxes(boxes, reference.length);
+    }
+
+    /** How many of the vectors are dominated by none; duplicates count each. */
+    public static int frontSize(double[][] scores) {
+        return (int) Arrays.stream(scores)
+                .filter(score -> Arrays.stream(scores).noneMatch(other -> Dominance.dominates(other, score)))
+                .count();
+    }
+
+    /*
+     * Slicing: the union is cut into slices perpendicular to the last axis, at every box's height. A slice's base is the union,
+     * with one axis less, of the boxes that reach as high.
+     */
+    private static double unionOfBoxes(List<double[]> boxes, int axes) {
+        if (axes == 1) {
+            return boxes.stream().mapToDouble(box -> box[0]).max().orElse(0);
+        }
+        int height = axes - 1;
+        double[] cuts = Stream.concat(Stream.of(0.0), boxes.stream().map(box -> box[height]))
+                .sorted(Comparator.naturalOrder())
+                .mapToDouble(cut -> cut)
+                .distinct()
+                .toArray();
+        double volume = 0;
+        for (int slice = 1; slice < cuts.length; slice++) {
+            double top = cuts[slice];
+            List<double[]> reaching =
+                    boxes.stream().filter(box -> box[height] >= top).toList();
+            volume += (top - cuts[slice - 1]) * unionOfBoxes(reaching, height);
+        }
+        return volume;
+    }
+
+    private static double[] minus(double[] score, double[] reference) {
+        double[] difference = new double[reference.length];
+        Arrays.setAll(difference, objective -> score[objective] - reference[objective]);
+        return difference;
+    }
+}

@@ -1,0 +1,48 @@
+package mmneat.nsga2;
+
+import mmneat.random.ResumableRandom;
+
+/**
+ * Binary tournaments with replacement: two individuals are drawn, the better is a parent.
+ *
+ * <p>Source: spec/evolution.md, section 2.4.
+ */
+final class Tournament {
+
+    private final double[][] scores;
+    private final NondominatedSorting sorting;
+    private final boolean byDominance;
+
+    /** Tournaments that compare by rank, then by crowding distance. */
+    static Tournament byCrowding(double[][] scores, NondominatedSorting sorting) {
+        return new Tournament(scores, sorting, false);
+    }
+
+    /** Tournaments that ask only whether the first dominates the second. */
+    static Tournament byDominance(double[][] scores, NondominatedSorting sorting) {
+        return new Tournament(scores, sorting, true);
+    }
+
+    private Tournament(double[][] scores, NondominatedSorting sorting, boolean byDominance) {
+        this.scores = scores;
+        this.sorting = sorting;
+        this.byDominance = byDominance;
+    }
+
+    /** A parent; both contestants may be the same individual. */
+    int winner(ResumableRandom random) {
+        int first = sorting.individualAt(random.nextInt(sorting.size()));
+        int second = sorting.individualAt(random.nextInt(sorting.size()));
+        return firstWins(first, second) ? first : second;
+    }
+
+    private boolean firstWins(int first, int second) {
+        if (byDominance) {
+            return Dominance.dominates(scores[first], scores[second]);
+        }
+        if (sorting.rank(first) != sorting.rank(second)) {
+            return sorting.rank(first) < sorting.rank(second);
+        }
+        return sorting.crowding(first) >= sorting.crowding(second);
+    }
+}
