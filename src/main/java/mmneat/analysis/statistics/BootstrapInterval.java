@@ -1,0 +1,39 @@
+package mmneat.analysis.statistics;
+
+import java.util.Arrays;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Percentile bootstrap interval of a sample's median (Efron 1979): the quantiles of the medians of samples drawn from it with
+ * replacement.
+ *
+ * @param low lower end, one of the sample's order statistics or the mean of two
+ * @param high upper end
+ * @param level the nominal coverage, for example 0.95
+ */
+public record BootstrapInterval(double low, double high, double level) {
+
+    private static final int RESAMPLES = 10_000;
+
+    /** The same sample, level and seed always give the same interval. */
+    public static BootstrapInterval ofMedian(Sample sample, double level, long seed) {
+        if (!(level > 0 && level < 1)) {
+            throw new IllegalArgumentException("the level of an interval is between 0 and 1, not " + level);
+        }
+        ResumableRandom random = new ResumableRandom(seed);
+        double[] values = sample.values();
+        double[] drawn = new double[values.length];
+        double[] medians = new double[RESAMPLES];
+        for (int i = 0; i < RESAMPLES; i++) {
+            for (int k = 0; k < drawn.length; k++) {
+                drawn[k] = values[random.nextInt(values.length)];
+            }
+            Arrays.sort(drawn);
+            medians[i] = Sample.quantileOfOrdered(drawn, 0.5);
+        }
+        Arrays.sort(medians);
+        double tail = (1 - level) / 2;
+        return new BootstrapInterval(
+                Sample.quantileOfOrdered(medians, tail), Sample.quantileOfOrdered(medians, 1 - tail), level);
+    }
+}
