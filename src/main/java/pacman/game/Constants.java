@@ -1,0 +1,120 @@
+package pacman.game;
+
+/**
+ * The numbers and names of the Ms. Pac-Man vs Ghosts competition (release 6.2), as controllers use them.
+ *
+ * <p>They are compile-time constants at competition values. What a set of rules changes (lives, edible time, ...) is read
+ * from {@link GameRules}, never from here. Times are in game steps of 40 ms, distances in nodes.
+ *
+ * <p>Source: spec/simulator.md, section 2.1; spec/controllers.md, section 1.
+ */
+public final class Constants {
+
+    /** Points for a pill. */
+    public static final int PILL = 10;
+    /** Points for a power pill. */
+    public static final int POWER_PILL = 50;
+    /** Points for the first ghost eaten after a power pill; doubled for each further one. */
+    public static final int GHOST_EAT_SCORE = 200;
+    /** Steps for which ghosts are edible in the first level. */
+    public static final int EDIBLE_TIME = 200;
+    /** Factor on the edible time from level to level. */
+    public static final float EDIBLE_TIME_REDUCTION = 0.9f;
+    /** Factor on the lair times from level to level. */
+    public static final float LAIR_REDUCTION = 0.9f;
+    /** Times start again from their first values after this many levels. */
+    public static final int LEVEL_RESET_REDUCTION = 6;
+    /** Steps that an eaten ghost stays in the lair in the first level. */
+    public static final int COMMON_LAIR_TIME = 40;
+    /** Steps after which the competition starts the next level. */
+    public static final int LEVEL_LIMIT = 4000;
+    /** Probability per step that all ghosts reverse. */
+    public static final float GHOST_REVERSAL = 0.0015f;
+    /** Steps after which a game ends. */
+    public static final int MAX_TIME = 24000;
+    /** Points for each life left when the game ends by {@link #MAX_TIME}. */
+    public static final int AWARD_LIFE_LEFT = 800;
+    /** Score at which an extra life is given. */
+    public static final int EXTRA_LIFE_SCORE = 10000;
+    /** Path distance up to which Ms. Pac-Man and a ghost meet. */
+    public static final int EAT_DISTANCE = 2;
+
+    public static final int NUM_GHOSTS = 4;
+    public static final int NUM_MAZES = 4;
+    /** Milliseconds of real time per step. */
+    public static final int DELAY = 40;
+    /** Lives at the start of a competition game. */
+    public static final int NUM_LIVES = 3;
+    /** Edible ghosts move in one of this many steps. */
+    public static final int GHOST_SPEED_REDUCTION = 2;
+    /** Edible time below which the view makes ghosts blink. */
+    public static final int EDIBLE_ALERT = 30;
+    /** Milliseconds between two looks at controllers that are still computing. */
+    public static final int INTERVAL_WAIT = 1;
+    /** Start-up milliseconds allowed by the competition server; nothing enforces it. */
+    public static final int WAIT_LIMIT = 5000;
+    /** Megabytes allowed by the competition server; nothing enforces it. */
+    public static final int MEMORY_LIMIT = 512;
+    /** Megabytes of file input and output allowed by the competition server; nothing enforces it. */
+    public static final int IO_LIMIT = 10;
+
+    /** Where the original keeps its maze files; our mazes are drawings inside the jar. */
+    public static final String pathMazes = "data/pacman/mazes";
+    /** Where the original keeps its distance files; ours are computed. */
+    public static final String pathDistances = "data/pacman/distances";
+
+    public static final String[] nodeNames = {"a", "b", "c", "d"};
+    public static final String[] distNames = {"da", "db", "dc", "dd"};
+
+    /** Screen pixels per maze pixel. */
+    public static final int MAG = 2;
+    /** Width of the view in maze pixels. */
+    public static final int GV_WIDTH = 114;
+    /** Height of the view in maze pixels. */
+    public static final int GV_HEIGHT = 130;
+
+    /** Where the original keeps its images; our view draws its own. */
+    public static final String pathImages = "data/pacman/images";
+
+    public static final String[] mazeNames = {"maze-a.png", "maze-b.png", "maze-c.png", "maze-d.png"};
+
+    private Constants() {}
+
+    /** The four directions, in the order of every "for each direction", and no direction. */
+    public enum MOVE {
+        UP,
+        RIGHT,
+        DOWN,
+        LEFT,
+        NEUTRAL;
+
+        private static final MOVE[] OPPOSITES = {DOWN, LEFT, UP, RIGHT, NEUTRAL};
+
+        /** The direction back; NEUTRAL is its own. */
+        public MOVE opposite() {
+            return OPPOSITES[ordinal()];
+        }
+    }
+
+    /** The ghosts, in the order of every "for each ghost". */
+    public enum GHOST {
+        BLINKY(40),
+        PINKY(60),
+        INKY(80),
+        SUE(100);
+
+        /** Steps in the lair at the start of the first level. */
+        public final int initialLairTime;
+
+        GHOST(int initialLairTime) {
+            this.initialLairTime = initialLairTime;
+        }
+    }
+
+    /** How distance is measured: along the corridors, or in pixels without regard for walls. */
+    public enum DM {
+        PATH,
+        EUCLID,
+        MANHATTAN
+    }
+}
