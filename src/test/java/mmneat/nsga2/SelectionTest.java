@@ -1,0 +1,228 @@
+package mmneat.nsga2;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.Test;
+
+/** Selection by the definitions, on random score sets full of ties. */
+class SelectionTest {
+
+    private static final int ROUNDS = 300;
+
+    @Test
+    void dominance_needsNoWorseAnywhereAndBetterSomewhere() {
+        assertThat(Dominance.dominates(new double[] {1, 2}, new double[] {1, 1}))
+                .isTrue();
+        assertThat(Dominance.dominates(new double[] {1, 1}, new double[] {1, 1}))
+                .isFalse();
+        assertThat(Dominance.dominates(new double[] {2, 0}, new double[] {1, 1}))
+                .isFalse();
+    }
+
+    @Test
+    void rank_isTheNumberOfTheRoundInWhichAnIndividualIsNondominated() {
+        ResumableRandom random = new ResumableRandom(1);
+        for (int round = 0; round < ROUNDS; round++) {
+            double[][] scores = randomScores(random);
+            int[] rank = ranksByRepeatedRemoval(scores);
+            for (Crowding crowding : Crowding.values()) {
+                NondominatedSorting sorting = NondominatedSorting.of(scores, crowding);
+                assertThat(IntStream.range(0, scores.length).map(sorting::rank).toArray())
+                        .isEqualTo(rank);
+            }
+        }
+    }
+
+    @Test
+    void fronts_divideThePopulation_inTheOrderTheCrowdingLeft() {
+        ResumableRandom random = new ResumableRandom(2);
+        for (int round = 0; round < ROUNDS; round++) {
+            double[][] scores = randomScores(random);
+            NondominatedSorting sorting = NondominatedSorting.of(scores, Crowding.WHOLE_POPULATION);
+            List<Integer> order = IntStream.range(0, scores.length)
+                    .map(sorting::individualAt)
+                    .boxed()
+                    .toList();
+            Set<Integer> seen = new HashSet<>();
+            for (int[] front : sorting.fronts()) {
+                List<Integer> places =
+                        Arrays.stream(front).map(order::indexOf).boxed().toList();
+                assertThat(places).isSorted();
+                Arrays.stream(front).forEach(seen::add);
+            }
+            assertThat(seen).hasSize(scores.length);
+        }
+    }
+
+    @Test
+    void wholePopulation_hasOneLeastAndOneGreatestPerObjective_atInfinity() {
+        double[][] same = {{3, 3}, {3, 3}, {3, 3}, {3, 3}};
+        NondominatedSorting sorting = NondominatedSorting.of(same, Crowding.WHOLE_POPULATION);
+        assertThat(IntStream.range(0, 4).mapToDouble(sorting::crowding).toArray())
+                .containsExactly(Double.POSITIVE_INFINITY, 0, 0, Double.POSITIVE_INFINITY);
+    }
+
+    @Test
+    void perFront_measuresNeighboursOfTheSameFrontOnly() {
+        double[][] scores = {{0, 4}, {1, 3}, {4, 0}, {0.5, 0.5}};
+        NondominatedSorting perFront = NondominatedSorting.of(scores, Crowding.PER_FRONT);
+        assertThat(perFront.crowding(1)).isEqualTo(2);
+        assertThat(perFront.crowding(3)).isInfinite();
+        NondominatedSorting whole = NondominatedSorting.of(scores, Crowding.WHOLE_POPULATION);
+        assertThat(whole.crowding(1)).isEqualTo((4 - 0.5) / 4 + (4 - 0.5) / 4);
+        assertThat(whole.crowding(3)).isEqualTo((1 - 0) / 4.0 + (3 - 0) / 4.0);
+    }
+
+    @Test
+    void survivors_areWholeFrontsAndTheLeastCrowdedOfTheNext() {
+        ResumableRandom random = new ResumableRandom(3);
+        for (int round = 0; round < ROUNDS; round++) {
+            double[][] scores = randomScores(random);
+            int keep = random.nextInt(scores.length + 1);
+            for (Crowding crowding : Crowding.values()) {
+                NondominatedSorting sorting = NondominatedSorting.of(scores, crowding);
+                int[] survivors = Survival.survivors(scores, keep, crowding);
+                Set<Integer> alive =
+                        new HashSet<>(Arrays.stream(survivors).boxed().toList());
+                assertThat(alive).hasSize(keep);
+                for (int dead = 0; dead < scores.length; dead++) {
+                    if (alive.contains(dead)) {
+                        continue;
+                    }
+                    for (int survivor : survivors) {
+                        assertThat(sorting.rank(survivor)).isLessThanOrEqualTo(sorting.rank(dead));
+                        if (sorting.rank(survivor) == sorting.rank(dead)) {
+                            assertThat(sorting.crowding(survivor)).isGreaterThanOrEqualTo(sorting.crowding(dead));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void crossover_makesTwoThirdsOfTheChildren_atRateOneHalf() {
+        double[][] scores = randomScores(new ResumableRandom(4));
+        List<Integer> parents = IntStream.range(0, scores.length).boxed().toList();
+        List<Child<Integer>> children = new Reproduction(true, 0.5, Crowding.WHOLE_POPULATION)
+                .children(parents, scores, false, 30_000, new CountingBreeding(), new ResumableRandom(5));
+        double crossed = children.stream().filter(Child::isCrossed).count() / 30_000.0;
+        assertThat(crossed).isCloseTo(2 / 3.0, within(0.01));
+    }
+
+    @Test
+    void everyChild_isMutatedOnce_inTheOrderOfAppending() {
+        double[][] scores = {{1, 2}, {2, 1}, {0, 0}};
+        CountingBreeding breeding = new CountingBreeding();
+        List<Child<Integer>> children = new Reproduction(true, 1, Crowding.WHOLE_POPULATION)
+                .children(List.of(0, 1, 2), scores, true, 7, breeding, new ResumableRandom(6));
+        assertThat(children.stream().map(Child::genotype).toList()).isEqualTo(breeding.mutated);
+        assertThat(children.stream().map(Child::hasMateStructure).toList())
+                .containsExactly(true, false, true, false, true, false, false);
+    }
+
+    @Test
+    void hypervolume_agreesWithCountingUnitCubes() {
+        ResumableRandom random = new ResumableRandom(7);
+        for (int round = 0; round < 100; round++) {
+            int axes = 1 + random.nextInt(3);
+            double[][] points = new double[1 + random.nextInt(8)][axes];
+            for (double[] point : points) {
+                Arrays.setAll(point, axis -> random.nextInt(7) - 1);
+            }
+            assertThat(Hypervolume.of(points, new double[axes])).isEqualTo(unitCubesBelow(points, axes));
+        }
+    }
+
+    @Test
+    void hypervolume_ofNothing_isZero() {
+        assertThat(Hypervolume.of(new double[0][], new double[2])).isZero();
+        assertThat(Hypervolume.of(new double[][] {{5, 0}}, new double[2])).isZero();
+    }
+
+    @Test
+    void scoresThatCannotBeCompared_areRefused() {
+        assertThatThrownBy(() -> Survival.survivors(new double[][] {{1, 2}, {1}}, 1, Crowding.WHOLE_POPULATION))
+                .hasMessage("individual 1 has 1 objectives, individual 0 has 2");
+        assertThatThrownBy(() -> NondominatedSorting.of(new double[][] {{Double.NaN}}, Crowding.PER_FRONT))
+                .hasMessage("individual 0 has a score that is not a number");
+        assertThatThrownBy(() -> Survival.survivors(new double[][] {{1}}, 2, Crowding.PER_FRONT))
+                .hasMessage("2 of 1 individuals cannot survive");
+        assertThatThrownBy(() -> new Reproduction(true, 1.5, Crowding.PER_FRONT))
+                .hasMessage("crossoverRate must be in [0, 1], is 1.5");
+    }
+
+    private static double[][] randomScores(ResumableRandom random) {
+        int objectives = 1 + random.nextInt(3);
+        int values = 1 + random.nextInt(12);
+        double[][] scores = new double[1 + random.nextInt(40)][objectives];
+        for (double[] score : scores) {
+            Arrays.setAll(score, j -> random.nextInt(values));
+        }
+        return scores;
+    }
+
+    private static int[] ranksByRepeatedRemoval(double[][] scores) {
+        int[] rank = new int[scores.length];
+        Set<Integer> remaining =
+                new HashSet<>(IntStream.range(0, scores.length).boxed().toList());
+        for (int front = 0; !remaining.isEmpty(); front++) {
+            List<Integer> nondominated = remaining.stream()
+                    .filter(i -> remaining.stream().noneMatch(j -> Dominance.dominates(scores[j], scores[i])))
+                    .toList();
+            for (int i : nondominated) {
+                rank[i] = front;
+            }
+            nondominated.forEach(remaining::remove);
+        }
+        return rank;
+    }
+
+    private static double unitCubesBelow(double[][] points, int axes) {
+        int side = 6;
+        double count = 0;
+        for (int cube = 0; cube < Math.pow(side, axes); cube++) {
+            int number = cube;
+            int[] corner = new int[axes];
+            for (int axis = 0; axis < axes; axis++) {
+                corner[axis] = number % side;
+                number /= side;
+            }
+            boolean covered = Arrays.stream(points)
+                    .anyMatch(point -> IntStream.range(0, axes).allMatch(axis -> corner[axis] + 1 <= point[axis]));
+            count += covered ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Numbers its children and remembers the order of mutations. */
+    private static final class CountingBreeding implements Breeding<Integer> {
+        private int copies = 1000;
+        private final List<Integer> mutated = new ArrayList<>();
+
+        @Override
+        public Integer copy(Integer parent) {
+            return copies++;
+        }
+
+        @Override
+        public Crossed<Integer> cross(Integer base, Integer mate, ResumableRandom random) {
+            return new Crossed<>(base, mate);
+        }
+
+        @Override
+        public Integer mutate(Integer child, ResumableRandom random) {
+            mutated.add(child);
+            return child;
+        }
+    }
+}
