@@ -1,0 +1,137 @@
+package mmneat.experiment;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+
+/**
+ * Reads what somebody asks for: built-in defaults, over them what the paper sets for the task and method, over them the
+ * parameter file ({@code config=FILE}), over them the command line.
+ */
+public final class ParameterReader {
+
+    /** The original's saved files: a name, a colon and, without any escapes, the value. */
+    private static final Pattern ORIGINAL_LINE = Pattern.compile("\\w+:[^=]*");
+
+    private final ParameterCatalogue catalogue;
+
+    public ParameterReader(ParameterCatalogue catalogue) {
+        this.catalogue = catalogue;
+    }
+
+    /**
+     * What the words of a command line ask for.
+     *
+     * @param words each {@code name=value} or {@code name:value}
+     * @throws UserError for anything that is not understood
+     */
+    public Result read(List<String> words) {
+        List<String> remarks = new ArrayList<>();
+        Map<String, String> commandLine = commandLine(words, remarks);
+        Map<String, String> file = commandLine.containsKey("config") ? file(commandLine.get("config")) : Map.of();
+        Map<String, String> asked = new LinkedHashMap<>(file);
+        asked.putAll(commandLine);
+        Parameters parameters = Parameters.defaults(catalogue)
+                .with(preset(asked.getOrDefault("task", ""), asked.get("method")))
+                .with(asked);
+        TaskKind kind = TaskKind.of(parameters);
+        if (kind != TaskKind.OWN && !parameters.ofOwnTask().isEmpty()) {
+            throw new UserError("unknown parameter '" + OwnTask.PREFIX
+                    + parameters.ofOwnTask().keySet().iterator().next() + "': names with '" + OwnTask.PREFIX
+                    + "' are for a task of your own");
+        }
+        return new Result(parameters, List.copyOf(remarks));
+    }
+
+    private Map<String, String> commandLine(List<String> words, List<String> remarks) {
+        Map<String, String> layer = new LinkedHashMap<>();
+        for (String text : words) {
+            ParameterWord word = ParameterWord.parse(text);
+            String value = word.value();
+            if (!word.name().startsWith(OwnTask.PREFIX)) {
+                Parameter parameter = catalogue.require(word.name());
+                value = word.canonicalFor(parameter);
+                if (word.isMisleading(parameter)) {
+                    remarks.add("'" + text + "' means " + word.name()
+                            + "=false: in the form with a colon, as in the original, anything but true is false");
+                }
+            }
+            if (layer.containsKey(word.name()) && !layer.get(word.name()).equals(value)) {
+                throw new UserError(
+                        "'" + word.name() + "' is given twice, as " + layer.get(word.name()) + " and as " + value);
+            }
+            layer.put(word.name(), value);
+        }
+        return layer;
+    }
+
+    /** A parameter file: Java properties, or one that the original saved. */
+    private Map<String, String> file(String name) {
+        Map<String, String> layer;
+        try {
+            String text = Files.readString(Path.of(name), StandardCharsets.UTF_8);
+            List<String> lines = text.lines().filter(line -> !line.isBlank()).toList();
+            layer = !lines.isEmpty()
+                            && lines.stream()
+                                    .allMatch(
+                                            line -> ORIGINAL_LINE.matcher(line).matches())
+                    ? savedByOriginal(lines)
+                    : PublishedConfigurations.read(new StringReader(text));
+        } catch (IOException e) {
+            throw new UserError("config=" + name + ": cannot be read: " + e.getMessage(), e);
+        }
+        try {
+            Parameters.defaults(catalogue).with(layer);
+        } catch (UserError e) {
+            throw new UserError(name + ": " + e.getMessage(), e);
+        }
+        if (layer.containsKey("config")) {
+            throw new UserError(name + ": config= is for the command line only");
+        }
+        return layer;
+    }
+
+    private Map<String, String> savedByOriginal(List<String> lines) {
+        Map<String, String> layer = new LinkedHashMap<>();
+        for (String line : lines) {
+            int colon = line.indexOf(':');
+            String name = line.substring(0, colon);
+            String value = line.substring(colon + 1);
+            boolean isFlag = catalogue
+                    .find(name)
+                    .filter(parameter -> parameter.type() == ParameterType.BOOLEAN)
+                    .isPresent();
+            layer.put(name, isFlag ? Boolean.toString(value.equalsIgnoreCase("true")) : value);
+        }
+        return layer;
+    }
+
+    private Map<String, String> preset(String task, String method) {
+        boolean published = PublishedConfigurations.tasks().contains(task);
+        if (method == null) {
+            return published
+                    ? PublishedConfigurations.settings(
+                            task, catalogue.require("method").defaultValue())
+                    : Map.of();
+        }
+        String checked = catalogue.require("method").check(method);
+        return published
+                ? PublishedConfigurations.settings(task, checked)
+                : PublishedConfigurations.methodAlone(checked);
+    }
+
+    /**
+     * What was asked for.
+     *
+     * @param parameters all values
+     * @param remarks lines for the user about values that were understood otherwise than they look
+     */
+    public record Result(Parameters parameters, List<String> remarks) {}
+}

@@ -1,0 +1,50 @@
+package mmneat.experiment;
+
+import java.util.List;
+
+/** What is evolved. */
+public enum TaskKind {
+    /** Ghosts and pills at once: the game as it is. */
+    BLENDED,
+    /** Eaten ghosts stay in the lair while others can be eaten. */
+    INTERLEAVED,
+    /** Games with pills only and games with edible ghosts only. */
+    ISOLATED,
+    /** A class of the user's own. */
+    OWN;
+
+    private static final String GAME_CLASS = "MsPacManTask";
+    private static final String ISOLATED_CLASS = "MsPacManPillsVsEdibleFromCornersMultitask";
+
+    /**
+     * The task that the parameters name, by a short name or by the class of the original.
+     *
+     * @throws UserError if they name none
+     */
+    static TaskKind of(Parameters parameters) {
+        String task = parameters.text("task");
+        List<String> published = PublishedConfigurations.tasks();
+        if (task.isEmpty()) {
+            throw new UserError("task is missing; give it as task=" + String.join("|", published));
+        }
+        if (published.contains(task)) {
+            return valueOf(task.toUpperCase(java.util.Locale.ROOT));
+        }
+        if (task.equals(GAME_CLASS)) {
+            return parameters.flag("imprisonedWhileEdible") ? INTERLEAVED : BLENDED;
+        }
+        if (task.equals(ISOLATED_CLASS)) {
+            return ISOLATED;
+        }
+        if (task.contains(".") || parameters.isGiven("jar")) {
+            return OWN;
+        }
+        throw new UserError("task=" + task + ": must be one of " + String.join(", ", published)
+                + ", or the full name of a class of your own" + NearestName.suggestion(task, published));
+    }
+
+    /** As it is written in folder names. */
+    String label() {
+        return name().toLowerCase(java.util.Locale.ROOT);
+    }
+}

@@ -1,0 +1,138 @@
+package mmneat.experiment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ParameterReaderTest {
+
+    private final ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
+
+    private Parameters read(String... words) {
+        return reader.read(List.of(words)).parameters();
+    }
+
+    private void assertMistake(String message, String... words) {
+        assertThatThrownBy(() -> read(words))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining(message)
+                .message()
+                .doesNotContain("\n");
+    }
+
+    @Test
+    void taskAlone_meansTwoModulesWithThePapersSettings() {
+        Parameters parameters = read("task=blended");
+        assertThat(parameters.text("method")).isEqualTo("2M");
+        assertThat(parameters.integer("startingModes")).isEqualTo(2);
+        assertThat(parameters.integer("mu")).isEqualTo(100);
+        assertThat(parameters.integer("maxGens")).isEqualTo(200);
+        assertThat(parameters.integer("trials")).isEqualTo(10);
+        assertThat(parameters.flag("mating")).isTrue();
+    }
+
+    @Test
+    void layers_laterOnesWin(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "# mine\ntask=interleaved\nmu=20\ntrials: 3\n");
+        Parameters parameters = read("config=" + config, "mu:30");
+        assertThat(parameters.integer("mu")).isEqualTo(30);
+        assertThat(parameters.integer("trials")).isEqualTo(3);
+        assertThat(parameters.flag("imprisonedWhileEdible")).isTrue();
+        assertThat(parameters.integer("lairTime")).isEqualTo(40);
+        assertThat(parameters.isGiven("lairTime")).isFalse();
+    }
+
+    @Test
+    void unknownName_namesTheNearest() {
+        assertMistake("unknown parameter 'maxGen' (did you mean 'maxGens'?)", "task=blended", "maxGen=3");
+        assertMistake("did you mean 'config'", "confg=x");
+    }
+
+    @Test
+    void badValue_namesParameterValueAndWhatIsAllowed() {
+        assertMistake("mu=many: must be a whole number, at least 1", "task=blended", "mu=many");
+        assertMistake("mu=0: must be a whole number, at least 1", "task=blended", "mu=0");
+        assertMistake("crossoverRate=1.5: must be a number from 0.0 to 1.0", "task=blended", "crossoverRate=1.5");
+        assertMistake("crossoverRate=NaN: must be", "task=blended", "crossoverRate=NaN");
+        assertMistake("mating=yes: must be true or false", "task=blended", "mating=yes");
+        assertMistake("method=4M: must be one of 1M, 2M", "task=blended", "method=4M");
+    }
+
+    @Test
+    void unsupportedParameter_isAnErrorUnlessItIsTheDefault() {
+        assertMistake("parameter 'periodicDeltaCoding' is not supported", "task=blended", "periodicDeltaCoding=true");
+        assertThat(read("task=blended", "periodicDeltaCoding=false").flag("periodicDeltaCoding"))
+                .isFalse();
+    }
+
+    @Test
+    void mistakeInAFile_saysWhichFile(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "task=blended\nmu=-1\n");
+        assertMistake("mine.properties: mu=-1: must be", "config=" + config);
+        assertMistake("cannot be read", "config=" + folder.resolve("none"));
+    }
+
+    @Test
+    void task_missingOrUnknown_saysWhichThereAre() {
+        assertMistake("task is missing; give it as task=blended|interleaved|isolated", "mu=3");
+        assertMistake("task=blend: must be one of blended, interleaved, isolated", "task=blend");
+    }
+
+    @Test
+    void method_ofAnotherTask_saysWhichGoWithThisOne() {
+        assertMistake("its methods are 1M, 2M, 3M, MMD, MT2, MT3", "task=blended", "method=MT");
+    }
+
+    @Test
+    void method_isTheSameInUpperAndLowerCase() {
+        assertThat(read("task=blended", "method=mmd").number("mmdRate")).isEqualTo(0.1);
+    }
+
+    @Test
+    void equalsSign_takesTheWholeRest_colonTakesThePieceUpToTheNext() {
+        assertThat(read("task=blended", "base=C:\\runs").text("base")).isEqualTo("C:\\runs");
+        assertThat(read("task=blended", "base:C:\\runs").text("base")).isEqualTo("C");
+        assertThat(read("task=blended", "base=").text("base")).isEmpty();
+        assertMistake("'base:' has no value", "task=blended", "base:");
+    }
+
+    @Test
+    void colonForm_ofANonBoolean_isRemarkedUpon() {
+        ParameterReader.Result result = reader.read(List.of("task=blended", "mating:yes"));
+        assertThat(result.parameters().flag("mating")).isFalse();
+        assertThat(result.remarks()).singleElement().asString().contains("mating:yes", "mating=false");
+    }
+
+    @Test
+    void wordGivenTwice_differently_isAMistake() {
+        assertMistake("'mu' is given twice, as 3 and as 4", "task=blended", "mu=3", "mu=4");
+        assertThat(read("task=blended", "mu=3", "mu:3").integer("mu")).isEqualTo(3);
+    }
+
+    @Test
+    void ownTasksParameters_areForOwnTasksOnly() {
+        assertMistake("unknown parameter 'task.noise'", "task=blended", "task.noise=3");
+        assertThat(read("task=com.example.Xor", "task.noise=3").ofOwnTask()).containsEntry("noise", "3");
+    }
+
+    @Test
+    void modesOfTheOriginalsFirstArgument_sayWhatTheyAreHere() {
+        assertMistake("runs=30", "multiple:30", "task=blended");
+        assertMistake("another command", "process:30");
+        assertMistake("parameters are written name=value", "blended");
+    }
+
+    @Test
+    void values_bindToARecord() {
+        record Some(int mu, boolean mating, double crossoverRate, String log) {}
+        assertThat(read("task=blended", "mu=3", "log=x").as(Some.class)).isEqualTo(new Some(3, true, 0.5, "x"));
+    }
+}
