@@ -1,0 +1,85 @@
+package mmneat.experiment.cluster;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import mmneat.experiment.UserError;
+
+/**
+ * What one run asks of the scheduler.
+ *
+ * @param cpus processors, at least 1; a run uses one unless {@code parallelEvaluations=true}
+ * @param memoryMebibytes memory of the whole process, in MiB, at least 256
+ * @param time longest time before the scheduler ends the job; it then saves and is queued again
+ * @param java the Java program of the machines that run the jobs
+ */
+public record JobResources(int cpus, int memoryMebibytes, Duration time, String java) {
+
+    private static final Pattern MEMORY = Pattern.compile("(\\d+)\\s*([MG])(?:i?B)?", Pattern.CASE_INSENSITIVE);
+    private static final Pattern TIME = Pattern.compile("(?:(\\d+)-)?(\\d+):(\\d{2})(?::(\\d{2}))?");
+
+    /** Least memory with which a run starts, in MiB. */
+    private static final int LEAST_MEMORY = 256;
+
+    /** Share of a job's memory that is Java's heap; the rest is for code, threads and the collector. */
+    private static final double HEAP_SHARE = 0.75;
+
+    public JobResources {
+        if (cpus < 1) {
+            throw new UserError("cpus=" + cpus + ": a run needs at least one processor");
+        }
+        if (memoryMebibytes < LEAST_MEMORY) {
+            throw new UserError("memory=" + memoryMebibytes + "M: a run needs at least " + LEAST_MEMORY + "M");
+        }
+        if (time.isNegative() || time.isZero()) {
+            throw new UserError("time must be longer than zero");
+        }
+    }
+
+    /** Reads {@code 800M}, {@code 1G} or {@code 2GiB} as MiB. */
+    public static int parseMemory(String text) {
+        Matcher memory = MEMORY.matcher(text.strip());
+        if (!memory.matches() || memory.group(1).length() > 6) {
+            throw new UserError("memory=" + text + ": write megabytes or gigabytes, for instance memory=1G");
+        }
+        int number = Integer.parseInt(memory.group(1));
+        return memory.group(2).toUpperCase(Locale.ROOT).equals("G") ? Math.multiplyExact(number, 1024) : number;
+    }
+
+    /** Reads {@code hours:minutes:seconds}, {@code hours:minutes} or {@code days-hours:minutes:seconds}. */
+    public static Duration parseTime(String text) {
+        Matcher time = TIME.matcher(text.strip());
+        if (!time.matches()) {
+            throw new UserError("time=" + text + ": write hours:minutes:seconds, for instance time=12:00:00");
+        }
+        try {
+            return Duration.ofDays(number(time.group(1)))
+                    .plusHours(number(time.group(2)))
+                    .plusMinutes(number(time.group(3)))
+                    .plusSeconds(number(time.group(4)));
+        } catch (ArithmeticException | NumberFormatException e) {
+            throw new UserError("time=" + text + ": too long", e);
+        }
+    }
+
+    private static long number(String text) {
+        return text == null ? 0 : Long.parseLong(text);
+    }
+
+    /** Hours, minutes and seconds as schedulers read them: {@code 36:00:00}. */
+    String clockTime() {
+        return String.format(Locale.ROOT, "%d:%02d:%02d", time.toHours(), time.toMinutesPart(), time.toSecondsPart());
+    }
+
+    /** Java with a heap that fits into the memory asked for; without it Java would size itself by the whole machine. */
+    List<String> javaCommand() {
+        String collector = cpus == 1 ? "-XX:+UseSerialGC" : "-XX:+UseParallelGC";
+        return List.of(
+                java,
+                collector,
+                "-XX:ActiveProcessorCount=" + cpus,
+                "-Xmx" + (int) (memoryMebibytes * HEAP_SHARE) + "m");
+    }
+}

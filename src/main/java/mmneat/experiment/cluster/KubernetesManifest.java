@@ -1,0 +1,131 @@
+package mmneat.experiment.cluster;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.dataformat.yaml.YAMLFactory;
+import com.fasterxml.jackson.dataformat.yaml.YAMLGenerator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/**
+ * The manifest of one experiment for Kubernetes: an Indexed Job (batch/v1) with one pod per run.
+ *
+ * <p>The jar and the results lie on a persistent volume that every pod mounts at the job's working folder. A pod that is
+ * evicted gets SIGTERM, saves, and is replaced without counting as a failure; exit code 2 (a mistake in the words) fails
+ * the run at once; other failures are tried again three times per run.
+ */
+public final class KubernetesManifest {
+
+    private static final ObjectMapper YAML = new ObjectMapper(YAMLFactory.builder()
+            .enable(YAMLGenerator.Feature.MINIMIZE_QUOTES)
+            .enable(YAMLGenerator.Feature.ALWAYS_QUOTE_NUMBERS_AS_STRINGS)
+            .disable(YAMLGenerator.Feature.SPLIT_LINES)
+            .build());
+
+    private KubernetesManifest() {}
+
+    /**
+     * The manifest, in YAML.
+     *
+     * @param image container image with a Java 17 or newer
+     * @param claim name of the persistent volume claim that holds the working folder
+     */
+    public static String of(ExperimentJob job, JobResources resources, String image, String claim) {
+        try {
+            return "# " + job.name()
+                    + ": one pod per run. Written by \"mmneat submit\"; submit it with\n#   kubectl apply -f "
+                    + job.file("yaml") + "\n" + YAML.writeValueAsString(manifest(job, resources, image, claim));
+        } catch (JsonProcessingException e) {
+            throw new IllegalStateException("a map of texts and numbers cannot fail to be written", e);
+        }
+    }
+
+    private static Map<String, Object> manifest(ExperimentJob job, JobResources resources, String image, String claim) {
+        return fields(
+                "apiVersion",
+                "batch/v1",
+                "kind",
+                "Job",
+                "metadata",
+                fields("name", dnsName(job.name()), "labels", fields("app", "mmneat")),
+                "spec",
+                fields(
+                        "completionMode", "Indexed",
+                        "completions", job.runs().size(),
+                        "parallelism", job.runs().size(),
+                        "backoffLimitPerIndex", 3,
+                        "maxFailedIndexes", job.runs().size(),
+                        "podFailurePolicy", fields("rules", failureRules()),
+                        "template", fields("spec", pod(job, resources, image, claim))));
+    }
+
+    private static List<Map<String, Object>> failureRules() {
+        return List.of(
+                fields(
+                        "action",
+                        "FailIndex",
+                        "onExitCodes",
+                        fields("containerName", "run", "operator", "In", "values", List.of(2))),
+                // 3: the killed predecessor's lock is not stale yet. 143: told to leave, and saved.
+                fields(
+                        "action",
+                        "Ignore",
+                        "onExitCodes",
+                        fields("containerName", "run", "operator", "In", "values", List.of(3, 143))),
+                fields(
+                        "action",
+                        "Ignore",
+                        "onPodConditions",
+                        List.of(fields("type", "DisruptionTarget", "status", "True"))));
+    }
+
+    private static Map<String, Object> pod(ExperimentJob job, JobResources resources, String image, String claim) {
+        Map<String, Object> amounts =
+                fields("cpu", Integer.toString(resources.cpus()), "memory", resources.memoryMebibytes() + "Mi");
+        return fields(
+                "restartPolicy",
+                "Never",
+                "terminationGracePeriodSeconds",
+                30,
+                "containers",
+                List.of(fields(
+                        "name", "run",
+                        "image", image,
+                        "workingDir", job.workingFolder().toString(),
+                        "command", List.of("/bin/sh", "-c", shell(job, resources)),
+                        "resources", fields("requests", amounts, "limits", fields("memory", amounts.get("memory"))),
+                        "volumeMounts",
+                                List.of(fields(
+                                        "name",
+                                        "study",
+                                        "mountPath",
+                                        job.workingFolder().toString())))),
+                "volumes",
+                List.of(fields("name", "study", "persistentVolumeClaim", fields("claimName", claim))));
+    }
+
+    /** Completion index i is the i-th unfinished run; "exec" lets Java itself get the signals. */
+    private static String shell(ExperimentJob job, JobResources resources) {
+        String runs = job.runs().stream().map(String::valueOf).collect(Collectors.joining(" "));
+        String command = ShellWord.line(job.command(resources, "RUN")).replace("run=RUN", "\"run=$run\"");
+        return "set -- " + runs + "; shift \"$JOB_COMPLETION_INDEX\"; run=$1; exec " + command;
+    }
+
+    /** Kubernetes names are lower case letters, digits and dashes, at most 63. */
+    private static String dnsName(String name) {
+        String dashed = ("mmneat-" + name).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+        String shortened = dashed.substring(0, Math.min(50, dashed.length()));
+        return shortened.replaceAll("-+$", "");
+    }
+
+    private static Map<String, Object> fields(Object... namesAndValues) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        for (int i = 0; i < namesAndValues.length; i += 2) {
+            fields.put((String) namesAndValues[i], namesAndValues[i + 1]);
+        }
+        return fields;
+    }
+}

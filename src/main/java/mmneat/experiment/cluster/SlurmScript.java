@@ -1,0 +1,118 @@
+package mmneat.experiment.cluster;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The batch script of one experiment for Slurm: a job array with one task per run.
+ *
+ * <p>A run ends in one of five ways, told apart by its exit code. 0: complete. 143 after the warning that the time limit
+ * is near: it saved, and the script queues it again. 143 otherwise (scancel, pre-emption): it saved, and Slurm does what
+ * it was told to. 3: the run's folder is locked; after a restart that is the killed predecessor, whose lock goes stale
+ * while the script waits. 2: a mistake in the words, which no restart mends. Anything else is a crash and is tried again
+ * three times.
+ */
+public final class SlurmScript {
+
+    /** Index of the task plus this environment variable is the run: arrays may be split. */
+    private static final String OFFSET = "MMNEAT_FIRST_RUN";
+
+    private static final String SCRIPT =
+            """
+            #!/bin/bash
+            # %1$s: one task per run. Written by "mmneat submit"; read it, edit it, submit it by hand with
+            #   sbatch --array=%2$s %3$s
+            #SBATCH --job-name=%1$s
+            #SBATCH --array=%2$s
+            #SBATCH --ntasks=1
+            #SBATCH --cpus-per-task=%4$d
+            #SBATCH --mem=%5$dM
+            #SBATCH --time=%6$s
+            %7$s#SBATCH --chdir=%8$s
+            #SBATCH --output=%9$s
+            #SBATCH --open-mode=append
+            #SBATCH --requeue
+            # Two minutes before the time limit the run saves, leaves and is queued again.
+            #SBATCH --signal=B:USR1@120
+
+            run=$((SLURM_ARRAY_TASK_ID + ${%10$s:-0}))
+            task="${SLURM_ARRAY_JOB_ID}_${SLURM_ARRAY_TASK_ID}"
+            restarts=${SLURM_RESTART_COUNT:-0}
+            echo "$(date -u +%%FT%%TZ) run $run starts on $(hostname), restart $restarts"
+
+            %11$s &
+            child=$!
+            time_is_up=no
+            trap 'time_is_up=yes; kill -TERM "$child"' USR1
+            trap 'kill -TERM "$child"' TERM
+
+            # A signal interrupts "wait"; the exit code counts only once the run is gone.
+            while :; do
+              wait "$child"
+              code=$?
+              kill -0 "$child" 2>/dev/null || break
+            done
+            wait "$child" 2>/dev/null
+            last=$?
+            [ "$last" -eq 127 ] || code=$last
+            echo "$(date -u +%%FT%%TZ) run $run ends with exit code $code"
+
+            case $code in
+              0 | 2) ;;
+              143) [ "$time_is_up" = no ] || scontrol requeue "$task" ;;
+              3) [ "$restarts" -eq 0 ] || { sleep 180; scontrol requeue "$task"; } ;;
+              *) [ "$restarts" -ge 3 ] || scontrol requeue "$task" ;;
+            esac
+            exit "$code"
+            """;
+
+    private SlurmScript() {}
+
+    /**
+     * The script.
+     *
+     * @param options further options of sbatch by name, for instance {@code partition} to {@code long}
+     */
+    public static String of(ExperimentJob job, JobResources resources, Map<String, String> options) {
+        StringBuilder furtherOptions = new StringBuilder();
+        options.forEach((name, value) -> furtherOptions
+                .append("#SBATCH --")
+                .append(name)
+                .append('=')
+                .append(value)
+                .append('\n'));
+        List<String> command = job.command(resources, "RUN");
+        return SCRIPT.formatted(
+                job.name(),
+                RunRanges.of(job.runs()),
+                job.file("slurm"),
+                resources.cpus(),
+                resources.memoryMebibytes(),
+                resources.clockTime(),
+                furtherOptions,
+                job.workingFolder(),
+                job.folder().resolve(job.name() + "-%A_%a.log"),
+                OFFSET,
+                ShellWord.line(command).replace("run=RUN", "\"run=$run\""));
+    }
+
+    /**
+     * The commands that submit the script: one, or more where run numbers reach the site's array limit.
+     *
+     * @param arrayLimit the site's {@code MaxArraySize}: array indices are smaller than it
+     */
+    public static List<List<String>> submitCommands(ExperimentJob job, int arrayLimit) {
+        List<List<String>> commands = new ArrayList<>();
+        RunRanges.split(job.runs(), arrayLimit).forEach((offset, indices) -> {
+            List<String> command = new ArrayList<>(List.of("sbatch", "--parsable"));
+            command.add("--array=" + RunRanges.of(indices));
+            if (offset > 0) {
+                command.add("--export=ALL," + OFFSET + "=" + offset);
+            }
+            command.add(job.file("slurm").toString());
+            commands.add(command);
+        });
+        return commands;
+    }
+}
