@@ -43,9 +43,4 @@ public record LinkGene(
     public LinkGene withFrozen(boolean value) {
         return value == frozen ? this : new LinkGene(innovation, source, target, weight, active, recurrent, value);
     }
-
-    /** Whether both links connect the same neurons in the same direction. */
-    boolean hasSameEndPoints(LinkGene other) {
-        return source == other.source && target == other.target;
-    }
 }

@@ -32,6 +32,21 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
         }
     }
 
+    /** One module without preference neuron: method 1M. */
+    public static ModuleLayout single(int policyNeurons) {
+        return new ModuleLayout(policyNeurons, 1, policyNeurons, false);
+    }
+
+    /** Modules that compete by preference neurons: methods 2M, 3M and, with one module at the start, MMD. */
+    public static ModuleLayout withPreferenceNeurons(int modules, int policyNeuronsPerModule) {
+        return new ModuleLayout(modules * (policyNeuronsPerModule + 1), modules, policyNeuronsPerModule, false);
+    }
+
+    /** Modules that the task chooses from: methods MT, MT2 and MT3. */
+    public static ModuleLayout multitask(int modules, int policyNeuronsPerModule) {
+        return new ModuleLayout(modules * policyNeuronsPerModule, modules, policyNeuronsPerModule, true);
+    }
+
     /** Whether each module has a preference neuron behind its policy neurons. */
     public boolean hasPreferenceNeurons() {
         return outputs > modules * policyNeuronsPerModule;

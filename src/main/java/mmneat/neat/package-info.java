@@ -3,7 +3,7 @@
  * networks, mutation and crossover.
  *
  * <p>A {@link mmneat.neat.Genotype} is immutable. All randomness comes from the generator that is passed in, and all that a
- * population shares (counters, archetype) is one object whose state can be read and set.
+ * population shares is in a {@link mmneat.neat.GenePool}, whose state can be read and set.
  *
  * <p>Source: Stanley and Miikkulainen 2002 (NEAT); Schrum and Miikkulainen 2016 (modules); spec/networks.md.
  */

@@ -1,0 +1,171 @@
+package mmneat.neat;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/**
+ * The universal order of all neurons of a population: the node list of every genotype is a subsequence of it.
+ *
+ * <p>It also holds shadow entries, which match no neuron of any network. The original makes them ready for a crossover that
+ * combines two networks of one module each, which the published experiments never perform; they are kept because they use up
+ * innovation numbers and are counted in the logs.
+ *
+ * <p>Source: spec/networks.md, sections 4.2 and 4.3; spec/evolution.md, section 3.3.
+ */
+public final class Archetype {
+
+    private final List<NodeGene> entries;
+    /** Innovation of a spliced neuron to the innovation of its shadow. */
+    private final NavigableMap<Long, Long> shadows;
+
+    private int outputs;
+
+    private Archetype(Collection<NodeGene> entries, Map<Long, Long> shadows) {
+        this.entries = new ArrayList<>(entries);
+        this.shadows = new TreeMap<>(shadows);
+        this.outputs = countOutputs();
+    }
+
+    /** The archetype of a population whose networks all begin with these neurons. */
+    static Archetype startingWith(List<NodeGene> nodes) {
+        return new Archetype(nodes, Map.of());
+    }
+
+    /** An archetype that continues from {@code state}. */
+    public static Archetype resume(State state) {
+        return new Archetype(state.entries(), state.shadows());
+    }
+
+    /** Everything that decides what this archetype will do. */
+    public State state() {
+        return new State(entries, shadows);
+    }
+
+    /** Number of entries, shadows included. */
+    public int size() {
+        return entries.size();
+    }
+
+    /** Entries in order, shadows included; a view. */
+    public List<NodeGene> entries() {
+        return Collections.unmodifiableList(entries);
+    }
+
+    /**
+     * The neurons that were spliced into networks of one module, each with its shadow, in ascending order; a view. The
+     * original saves it as {@code combiningCrossoverMapping.txt} if it is not empty, a line "neuron shadow" for each.
+     */
+    public SortedMap<Long, Long> shadows() {
+        return Collections.unmodifiableSortedMap(shadows);
+    }
+
+    /**
+     * Takes in a neuron that was spliced into a link, by the rule by which it entered its network.
+     *
+     * @return the position of the new entry
+     */
+    int insertSpliced(NodeGene neuron, long linkSource, int inputs) {
+        int position = Math.min(firstOutput(), Math.max(inputs, indexOf(linkSource) + 1));
+        entries.add(position, neuron);
+        return position;
+    }
+
+    /** Whether a neuron just inserted at a position calls for a shadow, if its network has one module. */
+    boolean needsShadow(int position) {
+        NodeGene previous = entries.get(position - 1);
+        return previous.type() == NodeType.INPUT || shadows.containsKey(previous.innovation());
+    }
+
+    /** Adds the shadow of the neuron at a position: behind the previous neuron's shadow, or before all of them. */
+    void insertShadow(int position, long shadowInnovation) {
+        NodeGene neuron = entries.get(position);
+        NodeGene previous = entries.get(position - 1);
+        int shadowPosition = previous.type() == NodeType.INPUT
+                ? firstShadowOrOutput()
+                : indexOf(shadows.get(previous.innovation())) + 1;
+        entries.add(
+                shadowPosition,
+                new NodeGene(shadowInnovation, neuron.type(), neuron.activation(), neuron.frozen(), true));
+        shadows.put(neuron.innovation(), shadowInnovation);
+    }
+
+    /** Takes in an output neuron of a new module, unless another network has gained that output before. */
+    void addOutput(NodeGene output) {
+        if (indexOf(output.innovation()) < 0) {
+            entries.add(output);
+            outputs++;
+        }
+    }
+
+    /** Removes the entries that no member of the population uses; a shadow goes when its neuron has gone. */
+    public void clean(Collection<Genotype> population) {
+        Set<Long> used = new HashSet<>();
+        for (Genotype genotype : population) {
+            for (NodeGene node : genotype.nodes()) {
+                used.add(node.innovation());
+            }
+        }
+        Map<Long, Long> neuronOfShadow = new HashMap<>();
+        shadows.forEach((neuron, shadow) -> neuronOfShadow.put(shadow, neuron));
+        Set<Long> present = new HashSet<>();
+        entries.forEach(entry -> present.add(entry.innovation()));
+        entries.removeIf(entry -> {
+            long innovation = entry.innovation();
+            Long neuron = neuronOfShadow.get(innovation);
+            if (used.contains(innovation) || (neuron != null && present.contains(neuron))) {
+                return false;
+            }
+            present.remove(innovation);
+            shadows.remove(neuron == null ? innovation : neuron);
+            return true;
+        });
+        outputs = countOutputs();
+    }
+
+    private int firstOutput() {
+        return entries.size() - outputs;
+    }
+
+    private int firstShadowOrOutput() {
+        int position = 0;
+        while (position < firstOutput() && !entries.get(position).fromCombiningCrossover()) {
+            position++;
+        }
+        return position;
+    }
+
+    private int indexOf(long innovation) {
+        for (int i = 0; i < entries.size(); i++) {
+            if (entries.get(i).innovation() == innovation) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    private int countOutputs() {
+        return (int) entries.stream().filter(e -> e.type() == NodeType.OUTPUT).count();
+    }
+
+    /**
+     * State of an archetype between two reproductions.
+     *
+     * @param entries entries in order, shadows included
+     * @param shadows innovation of a spliced neuron to that of its shadow
+     */
+    public record State(List<NodeGene> entries, SortedMap<Long, Long> shadows) {
+        public State {
+            entries = List.copyOf(entries);
+            shadows = Collections.unmodifiableSortedMap(new TreeMap<>(shadows));
+        }
+    }
+}

@@ -1,0 +1,21 @@
+package mmneat.neat;
+
+import mmneat.random.ResumableRandom;
+
+/** Removes a random link, whatever depends on it. Source: spec/networks.md, section 8.7. */
+final class DeleteLinkMutation implements MutationOperator {
+
+    @Override
+    public String logName() {
+        return "DeleteLinkMutation";
+    }
+
+    @Override
+    public boolean apply(GenotypeDraft offspring, GenePool pool, ResumableRandom random) {
+        if (offspring.links().isEmpty()) {
+            return false;
+        }
+        offspring.links().remove(random.nextInt(offspring.links().size()));
+        return true;
+    }
+}

@@ -1,0 +1,76 @@
+package mmneat.neat;
+
+import java.util.Objects;
+
+/**
+ * What the genotypes of one population share: the counters of innovations and of genotype ids, and the archetype.
+ *
+ * <p>One pool belongs to one run and one thread. Reading its state and resuming from it continues exactly.
+ *
+ * <p>Source: spec/networks.md, sections 4 and 10.
+ */
+public final class GenePool {
+
+    private final Archetype archetype;
+    private long nextInnovation;
+    private long nextGenotypeId;
+
+    private GenePool(long nextInnovation, long nextGenotypeId, Archetype archetype) {
+        this.nextInnovation = nextInnovation;
+        this.nextGenotypeId = nextGenotypeId;
+        this.archetype = archetype;
+    }
+
+    /**
+     * The pool of a new population whose networks all have the neurons of an example. As in the original the archetype is a
+     * copy of the example that takes an id of its own.
+     */
+    public static GenePool foundedOn(Genotype example) {
+        long firstFree = 0;
+        for (NodeGene node : example.nodes()) {
+            firstFree = Math.max(firstFree, node.innovation() + 1);
+        }
+        for (LinkGene link : example.links()) {
+            firstFree = Math.max(firstFree, link.innovation() + 1);
+        }
+        return new GenePool(firstFree, example.id() + 2, Archetype.startingWith(example.nodes()));
+    }
+
+    /** A pool that continues from {@code state}. */
+    public static GenePool resume(State state) {
+        return new GenePool(state.nextInnovation(), state.nextGenotypeId(), Archetype.resume(state.archetype()));
+    }
+
+    /** Everything that decides what this pool will hand out. */
+    public State state() {
+        return new State(nextInnovation, nextGenotypeId, archetype.state());
+    }
+
+    /** Takes an innovation number for a new node or link. */
+    long takeInnovation() {
+        return nextInnovation++;
+    }
+
+    /** Takes an id for a new genotype. */
+    public long takeGenotypeId() {
+        return nextGenotypeId++;
+    }
+
+    /** The order of all neurons of the population. */
+    public Archetype archetype() {
+        return archetype;
+    }
+
+    /**
+     * State of a pool between two reproductions.
+     *
+     * @param nextInnovation the next innovation number that will be used
+     * @param nextGenotypeId the next genotype id that will be used
+     * @param archetype the order of all neurons
+     */
+    public record State(long nextInnovation, long nextGenotypeId, Archetype.State archetype) {
+        public State {
+            Objects.requireNonNull(archetype, "archetype");
+        }
+    }
+}

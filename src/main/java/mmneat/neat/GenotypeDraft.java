@@ -1,0 +1,199 @@
+package mmneat.neat;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A genotype in the making: what reproduction changes until it becomes an offspring.
+ *
+ * <p>Node order, link order and counts are those of {@link Genotype}; between the steps of a module mutation the outputs may not
+ * make whole modules.
+ */
+final class GenotypeDraft {
+
+    private long id;
+    private final int inputs;
+    private final int policyNeuronsPerModule;
+    private final boolean standardMultitask;
+    private final List<NodeGene> nodes;
+    private final List<LinkGene> links;
+    private int[] moduleUsage;
+    private int outputs;
+    private int modules;
+
+    private GenotypeDraft(Genotype original, long id, List<LinkGene> links) {
+        this.id = id;
+        this.inputs = original.inputs();
+        this.policyNeuronsPerModule = original.layout().policyNeuronsPerModule();
+        this.standardMultitask = original.layout().standardMultitask();
+        this.nodes = new ArrayList<>(original.nodes());
+        this.links = links;
+        this.moduleUsage = original.moduleUsage();
+        this.outputs = original.outputs();
+        this.modules = original.modules();
+    }
+
+    /** The genotype itself, to be changed. */
+    static GenotypeDraft of(Genotype original) {
+        return new GenotypeDraft(original, original.id(), new ArrayList<>(original.links()));
+    }
+
+    /**
+     * A copy as the original makes it, by building a network and reading it back: inactive links disappear, and links are
+     * grouped by source in node order. Source: spec/networks.md, section 7.
+     */
+    static GenotypeDraft copyOf(Genotype original, long id) {
+        return new GenotypeDraft(original, id, activeLinksBySource(original.nodes(), original.links()));
+    }
+
+    /** The active links, grouped by source in node order, links of one source in their previous order. */
+    static List<LinkGene> activeLinksBySource(List<NodeGene> nodes, List<LinkGene> links) {
+        Map<Long, Integer> positions = positionsOf(nodes);
+        int[] sourcePosition = new int[links.size()];
+        int[] groupEnd = new int[nodes.size() + 1];
+        int active = 0;
+        for (int i = 0; i < links.size(); i++) {
+            if (links.get(i).active()) {
+                sourcePosition[i] = positions.get(links.get(i).source());
+                groupEnd[sourcePosition[i] + 1]++;
+                active++;
+            }
+        }
+        for (int node = 1; node < groupEnd.length; node++) {
+            groupEnd[node] += groupEnd[node - 1];
+        }
+        LinkGene[] grouped = new LinkGene[active];
+        for (int i = 0; i < links.size(); i++) {
+            if (links.get(i).active()) {
+                grouped[groupEnd[sourcePosition[i]]++] = links.get(i);
+            }
+        }
+        return new ArrayList<>(List.of(grouped));
+    }
+
+    /** Position of each neuron by innovation. */
+    static Map<Long, Integer> positionsOf(List<NodeGene> nodes) {
+        Map<Long, Integer> positions = new HashMap<>(nodes.size() * 2);
+        for (int i = 0; i < nodes.size(); i++) {
+            positions.put(nodes.get(i).innovation(), i);
+        }
+        return positions;
+    }
+
+    /**
+     * The finished genotype.
+     *
+     * @throws IllegalArgumentException if the genes do not make a network
+     */
+    Genotype finish() {
+        ModuleLayout layout = new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
+        return new Genotype(id, inputs, layout, nodes, links, moduleUsage);
+    }
+
+    long id() {
+        return id;
+    }
+
+    int inputs() {
+        return inputs;
+    }
+
+    int outputs() {
+        return outputs;
+    }
+
+    int modules() {
+        return modules;
+    }
+
+    int policyNeuronsPerModule() {
+        return policyNeuronsPerModule;
+    }
+
+    /** Division of the outputs at this moment; only between whole module mutations. */
+    ModuleLayout layout() {
+        return new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
+    }
+
+    /** Node genes in activation order; may be changed. */
+    List<NodeGene> nodes() {
+        return nodes;
+    }
+
+    /** Link genes; may be changed. */
+    List<LinkGene> links() {
+        return links;
+    }
+
+    int[] moduleUsage() {
+        return moduleUsage;
+    }
+
+    void setModuleUsage(int[] usage) {
+        moduleUsage = usage;
+    }
+
+    int firstOutput() {
+        return nodes.size() - outputs;
+    }
+
+    /** Output neuron by its number among the outputs. */
+    NodeGene output(int number) {
+        return nodes.get(firstOutput() + number);
+    }
+
+    /** Position of a neuron in node order; -1 if there is none. */
+    int indexOf(long innovation) {
+        for (int i = 0; i < nodes.size(); i++) {
+            if (nodes.get(i).innovation() == innovation) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** Whether there is a link, active or not, between two neurons. */
+    boolean hasLink(long source, long target) {
+        for (LinkGene link : links) {
+            if (link.source() == source && link.target() == target) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The innovation that the next output neuron gets: outputs are known by position. */
+    long nextOutputInnovation() {
+        return outputInnovation(inputs, outputs);
+    }
+
+    /** Innovation of an output neuron by its number. */
+    static long outputInnovation(int inputs, int output) {
+        return -(inputs + output) - 1L;
+    }
+
+    /** Appends an output neuron here and, if its place is new, in the archetype. */
+    void appendOutput(NodeGene output, GenePool pool) {
+        nodes.add(output);
+        outputs++;
+        pool.archetype().addOutput(output);
+    }
+
+    void addModule() {
+        modules++;
+    }
+
+    /** Adopts genes that came from elsewhere, and counts outputs and modules again. */
+    void replaceGenes(List<NodeGene> newNodes, List<LinkGene> newLinks) {
+        List<NodeGene> nodesToAdopt = List.copyOf(newNodes);
+        List<LinkGene> linksToAdopt = List.copyOf(newLinks);
+        nodes.clear();
+        nodes.addAll(nodesToAdopt);
+        links.clear();
+        links.addAll(linksToAdopt);
+        outputs = (int) nodes.stream().filter(n -> n.type() == NodeType.OUTPUT).count();
+        modules = Math.max(1, outputs / (policyNeuronsPerModule + (standardMultitask ? 0 : 1)));
+    }
+}

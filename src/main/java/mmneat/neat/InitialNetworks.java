@@ -1,0 +1,87 @@
+package mmneat.neat;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Makes the networks that evolution starts from: policy neurons linked to all inputs, preference neurons to one, no hidden
+ * neurons.
+ *
+ * <p>Source: spec/networks.md, sections 3.2 and 3.3.
+ *
+ * @param inputs number of inputs
+ * @param layout outputs and modules
+ * @param selection the inputs that a policy neuron is linked to
+ * @param activation activation function of all neurons, inputs included
+ */
+public record InitialNetworks(
+        int inputs, ModuleLayout layout, InputSelection selection, ActivationFunction activation) {
+
+    public InitialNetworks {
+        if (inputs < 1) {
+            throw new IllegalArgumentException("inputs must be at least 1, is " + inputs);
+        }
+        Objects.requireNonNull(layout, "layout");
+        Objects.requireNonNull(selection, "selection");
+        Objects.requireNonNull(activation, "activation");
+    }
+
+    /** Networks as in the published experiments: every input linked to every policy neuron, tanh everywhere. */
+    public InitialNetworks(int inputs, ModuleLayout layout) {
+        this(inputs, layout, InputSelection.ALL, ActivationFunction.TANH);
+    }
+
+    /** A random network with an id and no module usage. */
+    public Genotype create(long id, ResumableRandom random) {
+        int outputs = layout.outputs();
+        List<NodeGene> nodes = new ArrayList<>(inputs + outputs);
+        for (int i = 0; i < inputs; i++) {
+            nodes.add(new NodeGene(-i - 1L, NodeType.INPUT, activation));
+        }
+        for (int output = 0; output < outputs; output++) {
+            nodes.add(new NodeGene(GenotypeDraft.outputInnovation(inputs, output), NodeType.OUTPUT, activation));
+        }
+        List<LinkGene> links = new ArrayList<>();
+        for (int output = 0; output < outputs; output++) {
+            for (int input : sourcesOf(output, random)) {
+                links.add(new LinkGene(
+                        -(inputs + outputs) - 2L - (long) output * inputs - input,
+                        nodes.get(input).innovation(),
+                        nodes.get(inputs + output).innovation(),
+                        Draws.smallWeight(random),
+                        false));
+            }
+        }
+        return new Genotype(
+                id, inputs, layout, nodes, GenotypeDraft.activeLinksBySource(nodes, links), new int[layout.modules()]);
+    }
+
+    /** A population of random networks with the next ids of a pool. */
+    public List<Genotype> createPopulation(int size, GenePool pool, ResumableRandom random) {
+        List<Genotype> population = new ArrayList<>(size);
+        for (int i = 0; i < size; i++) {
+            population.add(create(pool.takeGenotypeId(), random));
+        }
+        return population;
+    }
+
+    /** The inputs linked to an output, in increasing order. */
+    private int[] sourcesOf(int output, ResumableRandom random) {
+        if (layout.isPreference(output)) {
+            return Draws.distinct(1, inputs, random);
+        }
+        if (selection.isSelective()) {
+            int[] sources = Draws.distinct(selection.linksInto(inputs), inputs, random);
+            Arrays.sort(sources);
+            return sources;
+        }
+        int[] sources = new int[inputs];
+        for (int i = 0; i < inputs; i++) {
+            sources[i] = i;
+        }
+        return sources;
+    }
+}

@@ -1,0 +1,48 @@
+package mmneat.neat;
+
+/**
+ * Decides whether an offspring may gain a module: only if every module of its parent was used enough.
+ *
+ * <p>Source: spec/networks.md, section 8.6.
+ *
+ * @param maxModules no module is added to a network that has so many ({@code maxModes})
+ * @param usageForNewModule the least used of n modules must have been chosen in a share of at least 1 / (this * n) of the
+ *     steps ({@code usageForNewMode})
+ */
+public record ModuleGate(int maxModules, double usageForNewModule) {
+
+    /** The gate of the published experiments. */
+    public static final ModuleGate PUBLISHED = new ModuleGate(1000, 10);
+
+    public ModuleGate {
+        if (maxModules < 1) {
+            throw new IllegalArgumentException("maxModes must be at least 1, is " + maxModules);
+        }
+        if (!(usageForNewModule > 0)) {
+            throw new IllegalArgumentException("usageForNewMode must be positive, is " + usageForNewModule);
+        }
+    }
+
+    /**
+     * Whether a network may gain a module.
+     *
+     * @param modules modules of the network
+     * @param usage how often each was chosen in the last evaluation; all zero closes the gate
+     */
+    public boolean isOpen(int modules, int[] usage) {
+        if (modules >= maxModules) {
+            return false;
+        }
+        return usage.length != modules || leastShare(usage) >= 1.0 / (usageForNewModule * modules);
+    }
+
+    private static double leastShare(int[] usage) {
+        double sum = 0;
+        int least = Integer.MAX_VALUE;
+        for (int count : usage) {
+            sum += count;
+            least = Math.min(least, count);
+        }
+        return sum == 0 ? 0 : least / sum;
+    }
+}
