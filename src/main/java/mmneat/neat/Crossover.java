@@ -1,6 +1,7 @@
 package mmneat.neat;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -43,7 +44,12 @@ record Crossover(double excessRate) {
         List<LinkGene> linksOfB = new ArrayList<>();
         List<LinkGene> reconciled = withInnovationsOf(a.links(), b.links());
         distribute(alignLinks(a.links(), reconciled), isExcessShared, linksOfA, linksOfB, random);
+        int modulesOfA = a.modules();
         a.replaceGenes(nodesOfA, linksOfA);
+        if (a.modules() != modulesOfA) {
+            // As in the original the first child, and only it, counts no use of the modules it gained.
+            a.setModuleUsage(Arrays.copyOf(a.moduleUsage(), a.modules()));
+        }
         b.replaceGenes(nodesOfB, linksOfB);
     }
 
