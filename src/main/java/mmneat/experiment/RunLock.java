@@ -130,8 +130,8 @@ final class RunLock implements AutoCloseable {
         boolean held =
                 sighting.flatMap(Sighting::holder).filter(self::equalsToken).isPresent();
         if (!held) {
-            HeldException lost =
-                    new HeldException(file, sighting.map(Sighting::describe).orElse("nobody, but its lock was deleted"));
+            HeldException lost = new HeldException(
+                    file, sighting.map(Sighting::describe).orElse("nobody, but its lock was deleted"));
             if (touchFailure != null) {
                 lost.addSuppressed(touchFailure);
             }
