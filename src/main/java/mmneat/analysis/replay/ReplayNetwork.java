@@ -1,0 +1,66 @@
+package mmneat.analysis.replay;
+
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * The network of the player as the page draws it.
+ *
+ * @param inputs label of each input, in the order of the sensor values
+ * @param nodes the nodes behind the inputs, in the order of the recorded activations
+ * @param links all links
+ * @param modules number of output modules
+ */
+public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> links, int modules) {
+
+    /**
+     * A hidden or output node.
+     *
+     * @param kind what it does
+     * @param module module of an output node, -1 for a hidden one
+     * @param layer horizontal place, 0 just behind the inputs to 1 at the outputs
+     */
+    public record Node(Kind kind, int module, double layer) {
+        public Node {
+            Objects.requireNonNull(kind, "kind");
+        }
+    }
+
+    /** What a node does. */
+    public enum Kind {
+        HIDDEN,
+        POLICY,
+        PREFERENCE
+    }
+
+    /**
+     * A link. End points count the inputs first, then {@link #nodes}.
+     *
+     * @param source number of the node it leaves
+     * @param target number of the node it enters
+     * @param weight as evolved
+     * @param recurrent whether it brings the activation of the step before
+     */
+    public record Link(int source, int target, double weight, boolean recurrent) {}
+
+    public ReplayNetwork {
+        inputs = List.copyOf(inputs);
+        nodes = List.copyOf(nodes);
+        links = List.copyOf(links);
+        int count = inputs.size() + nodes.size();
+        for (Link link : links) {
+            if (link.source() < 0
+                    || link.source() >= count
+                    || link.target() < inputs.size()
+                    || link.target() >= count) {
+                throw new IllegalArgumentException("a link from node " + link.source() + " to node " + link.target()
+                        + " does not fit a network of " + count + " nodes with " + inputs.size() + " inputs");
+            }
+        }
+    }
+
+    /** A game without a network: a controller written by hand. */
+    public static ReplayNetwork none() {
+        return new ReplayNetwork(List.of(), List.of(), List.of(), 1);
+    }
+}
