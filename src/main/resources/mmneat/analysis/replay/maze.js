@@ -32,7 +32,11 @@ class MazeView {
     this.drawTrail(maze, chapter, step);
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.drawImage(this.walls, 0, 0);
-    if (this.trailShown) context.drawImage(this.trail, 0, 0);
+    if (this.trailShown) {
+      context.globalAlpha = .78;
+      context.drawImage(this.trail, 0, 0);
+      context.globalAlpha = 1;
+    }
     context.setTransform(...this.transform);
     this.drawPills(context, maze, chapter, step, clock);
     for (let ghost = 3; ghost >= 0; ghost--) this.drawGhost(context, maze, ghost, step, fraction, clock);
@@ -70,7 +74,7 @@ class MazeView {
     c.shadowBlur = 0;
     c.strokeStyle = "#04060d"; c.lineWidth = 7.4; c.stroke(corridors);
     if (maze.lair >= 0) {
-      const x = maze.x[maze.lair], y = maze.y[maze.lair];
+      const [x, y] = lairPlace(maze);
       c.strokeStyle = "#3557d6"; c.lineWidth = .6; c.fillStyle = "#04060d";
       c.beginPath(); c.roundRect(x - 13, y - 6, 26, 12, 1.5); c.fill(); c.stroke();
     }
@@ -83,7 +87,7 @@ class MazeView {
       this.trailStep = chapter.step;
     }
     c.setTransform(...this.transform);
-    c.lineCap = "round"; c.lineWidth = 2.2; c.globalAlpha = .8;
+    c.lineCap = "round"; c.lineWidth = 2.2;
     const { node, module } = this.recording.column;
     for (; this.trailStep < step; this.trailStep++) {
       const from = node[this.trailStep], to = node[this.trailStep + 1];
@@ -133,7 +137,10 @@ class MazeView {
     const inLair = column["lair" + ghost][step] > 0;
     const edible = column["edible" + ghost][step];
     let [x, y] = this.place(maze, column["ghostNode" + ghost], step, fraction);
-    if (maze.lair >= 0 && column["ghostNode" + ghost][step] === maze.lair) x += (ghost - 1.5) * 5.6;
+    if (maze.lair >= 0 && column["ghostNode" + ghost][step] === maze.lair) {
+      [x, y] = lairPlace(maze);
+      x += (ghost - 1.5) * 6.2;
+    }
     const ending = edible > 0 && edible < 40 && Math.floor(clock / 180) % 2 === 0;
     c.globalAlpha = inLair ? .6 : 1;
     c.fillStyle = edible > 0 ? (ending ? "#f4f6ff" : "#3d5bff") : GHOST_COLOURS[ghost];
@@ -152,6 +159,9 @@ class MazeView {
     c.globalAlpha = 1;
   }
 }
+
+/** The middle of the lair: its node stands a little aside, the mazes are symmetric. */
+function lairPlace(maze) { return [(Math.min(...maze.x) + Math.max(...maze.x)) / 2, maze.y[maze.lair]]; }
 
 /** The chapter (a maze of a game) that a step belongs to. */
 function chapterAt(recording, step) {

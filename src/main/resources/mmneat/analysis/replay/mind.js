@@ -37,7 +37,7 @@ class MindView {
     at.top = 50;
     at.row = (height - at.top - 4) / Math.max(1, inputs);
     at.first = at.label + 4 * at.cell + 12;
-    at.last = width - (small ? 26 : 42);
+    at.last = width - (small ? 34 : 42);
     const y = this.network.inputs.map((_, i) => at.top + (i + .5) * at.row);
     const x = this.network.inputs.map(() => at.first);
     const outputs = this.network.nodes.map((n, i) => [n, i]).filter(([n]) => n.kind !== "HIDDEN").sort((a, b) => a[0].module - b[0].module);

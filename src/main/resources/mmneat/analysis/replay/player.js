@@ -90,9 +90,9 @@ class Player {
     const number = value => value.toLocaleString("en");
     const put = (id, text) => { const e = this.byId(id); if (e.textContent !== text) e.textContent = text; };
     put("score", number(column.score[step]));
-    put("maze-label", chapter.game || "Maze");
-    put("maze", `${String.fromCharCode(65 + chapter.maze)} · ${chapter.level + 1}`);
-    put("pills", left.powerPills.size ? `${left.pills.size} + ${left.powerPills.size}` : String(left.pills.size));
+    put("maze-label", chapter.game || `Level ${chapter.level + 1}`);
+    put("maze", String.fromCharCode(65 + chapter.maze));
+    put("pills", left.powerPills.size ? `${left.pills.size}+${left.powerPills.size}` : String(left.pills.size));
     put("ghosts", String(ghostsEaten[step]));
     put("lives", String(column.lives[step]));
     put("position", `${number(step)} / ${number(steps - 1)}`);
