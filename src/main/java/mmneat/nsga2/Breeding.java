@@ -1,28 +1,24 @@
 package mmneat.nsga2;
 
+import java.util.List;
 import mmneat.random.ResumableRandom;
 
 /**
- * How individuals are made from others. {@link Reproduction} decides who and when.
+ * How children are made from parents. {@link Mating} decides who and when.
  *
- * @param <G> what is bred
+ * @param <P> a parent
+ * @param <C> a child, with whatever the breeder wants to say of it
  */
-public interface Breeding<G> {
+public interface Breeding<P, C> {
 
-    /** A copy of a parent, a new individual. */
-    G copy(G parent);
-
-    /** Two children of two parents; the arguments are copies that nobody else holds. */
-    Crossed<G> cross(G base, G mate, ResumableRandom random);
-
-    /** The child after mutation. Called once for each child that is kept, in the order in which children are appended. */
-    G mutate(G child, ResumableRandom random);
+    /** The child of one parent. */
+    C fromOne(P parent, ResumableRandom random);
 
     /**
-     * The children of a crossover.
+     * The children of two parents, who may be the same.
      *
-     * @param ofBase the child with the structure of the first parent
-     * @param ofMate the child with the structure of the second
+     * @param room how many children are wanted, at least 1
+     * @return two children, or one if there is room for one only
      */
-    record Crossed<G>(G ofBase, G ofMate) {}
+    List<C> fromTwo(P parent, P mate, int room, ResumableRandom random);
 }

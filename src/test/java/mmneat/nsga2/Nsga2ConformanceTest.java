@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -67,24 +66,17 @@ class Nsga2ConformanceTest {
         for (JsonNode golden : cases("mating.json")) {
             double[][] scores = matrix(golden.get("scores"));
             ResumableRandom random = new ResumableRandom(golden.get("seed").asLong());
-            Reproduction reproduction = new Reproduction(
+            Mating mating = new Mating(
                     golden.get("mating").asBoolean(),
                     golden.get("crossover_rate").asDouble(),
                     Crowding.WHOLE_POPULATION);
-            List<Child<Integer>> children = reproduction.children(
+            List<int[]> origins = mating.children(
                     IntStream.range(0, scores.length).boxed().toList(),
                     scores,
                     golden.get("generation").asInt() == 0,
                     golden.get("num_children").asInt(),
                     new BreedingWithoutDraws(),
                     random);
-            List<int[]> origins = new ArrayList<>();
-            for (Child<Integer> child : children) {
-                origins.add(
-                        child.hasMateStructure()
-                                ? new int[] {child.mate(), child.parent(), 1}
-                                : new int[] {child.parent(), child.mate(), 0});
-            }
             String name = golden.get("name").asText();
             assertThat(origins)
                     .as(name)
@@ -137,21 +129,18 @@ class Nsga2ConformanceTest {
         return IntStream.range(0, values.size()).map(i -> values.get(i).asInt()).toArray();
     }
 
-    /** Individuals are the indices of the parents that they descend from. */
-    private record BreedingWithoutDraws() implements Breeding<Integer> {
+    /** Children are rows of the golden file: base parent, other parent or -1, whether crossover returned the child. */
+    private record BreedingWithoutDraws() implements Breeding<Integer, int[]> {
         @Override
-        public Integer copy(Integer parent) {
-            return parent;
+        public int[] fromOne(Integer parent, ResumableRandom random) {
+            return new int[] {parent, -1, 0};
         }
 
         @Override
-        public Crossed<Integer> cross(Integer base, Integer mate, ResumableRandom random) {
-            return new Crossed<>(base, mate);
-        }
-
-        @Override
-        public Integer mutate(Integer child, ResumableRandom random) {
-            return child;
+        public List<int[]> fromTwo(Integer parent, Integer mate, int room, ResumableRandom random) {
+            int[] withMateStructure = {mate, parent, 1};
+            int[] withParentStructure = {parent, mate, 0};
+            return room > 1 ? List.of(withMateStructure, withParentStructure) : List.of(withParentStructure);
         }
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -113,21 +112,32 @@ class SelectionTest {
     void crossover_makesTwoThirdsOfTheChildren_atRateOneHalf() {
         double[][] scores = randomScores(new ResumableRandom(4));
         List<Integer> parents = IntStream.range(0, scores.length).boxed().toList();
-        List<Child<Integer>> children = new Reproduction(true, 0.5, Crowding.WHOLE_POPULATION)
-                .children(parents, scores, false, 30_000, new CountingBreeding(), new ResumableRandom(5));
-        double crossed = children.stream().filter(Child::isCrossed).count() / 30_000.0;
+        List<String> children = new Mating(true, 0.5, Crowding.WHOLE_POPULATION)
+                .children(parents, scores, false, 30_000, new NamingBreeding(), new ResumableRandom(5));
+        double crossed =
+                children.stream().filter(child -> child.startsWith("of two")).count() / 30_000.0;
         assertThat(crossed).isCloseTo(2 / 3.0, within(0.01));
     }
 
     @Test
-    void everyChild_isMutatedOnce_inTheOrderOfAppending() {
+    void lastPlace_isTakenByOneChildOfACrossover() {
         double[][] scores = {{1, 2}, {2, 1}, {0, 0}};
-        CountingBreeding breeding = new CountingBreeding();
-        List<Child<Integer>> children = new Reproduction(true, 1, Crowding.WHOLE_POPULATION)
-                .children(List.of(0, 1, 2), scores, true, 7, breeding, new ResumableRandom(6));
-        assertThat(children.stream().map(Child::genotype).toList()).isEqualTo(breeding.mutated);
-        assertThat(children.stream().map(Child::hasMateStructure).toList())
-                .containsExactly(true, false, true, false, true, false, false);
+        List<String> children = new Mating(true, 1, Crowding.WHOLE_POPULATION)
+                .children(List.of(0, 1, 2), scores, true, 5, new NamingBreeding(), new ResumableRandom(6));
+        assertThat(children)
+                .containsExactly("of two, mate", "of two, parent", "of two, mate", "of two, parent", "of two, alone");
+    }
+
+    @Test
+    void noCrossover_drawsNothingForIt() {
+        double[][] scores = {{1, 2}, {2, 1}};
+        ResumableRandom random = new ResumableRandom(7);
+        new Mating(false, 0.5, Crowding.PER_FRONT)
+                .children(List.of(0, 1), scores, true, 1, new NamingBreeding(), random);
+        ResumableRandom twoContestants = new ResumableRandom(7);
+        twoContestants.nextInt(2);
+        twoContestants.nextInt(2);
+        assertThat(random.state()).isEqualTo(twoContestants.state());
     }
 
     @Test
@@ -157,7 +167,7 @@ class SelectionTest {
                 .hasMessage("individual 0 has a score that is not a number");
         assertThatThrownBy(() -> Survival.survivors(new double[][] {{1}}, 2, Crowding.PER_FRONT))
                 .hasMessage("2 of 1 individuals cannot survive");
-        assertThatThrownBy(() -> new Reproduction(true, 1.5, Crowding.PER_FRONT))
+        assertThatThrownBy(() -> new Mating(true, 1.5, Crowding.PER_FRONT))
                 .hasMessage("crossoverRate must be in [0, 1], is 1.5");
     }
 
@@ -204,25 +214,15 @@ class SelectionTest {
         return count;
     }
 
-    /** Numbers its children and remembers the order of mutations. */
-    private static final class CountingBreeding implements Breeding<Integer> {
-        private int copies = 1000;
-        private final List<Integer> mutated = new ArrayList<>();
-
+    private static final class NamingBreeding implements Breeding<Integer, String> {
         @Override
-        public Integer copy(Integer parent) {
-            return copies++;
+        public String fromOne(Integer parent, ResumableRandom random) {
+            return "of one";
         }
 
         @Override
-        public Crossed<Integer> cross(Integer base, Integer mate, ResumableRandom random) {
-            return new Crossed<>(base, mate);
-        }
-
-        @Override
-        public Integer mutate(Integer child, ResumableRandom random) {
-            mutated.add(child);
-            return child;
+        public List<String> fromTwo(Integer parent, Integer mate, int room, ResumableRandom random) {
+            return room > 1 ? List.of("of two, mate", "of two, parent") : List.of("of two, alone");
         }
     }
 }

@@ -1,0 +1,62 @@
+package mmneat.nsga2;
+
+import java.util.ArrayList;
+import java.util.List;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Chooses parents by tournament and has children made of them.
+ *
+ * <p>Children are made in passes. A pass without crossover makes one child, a pass with crossover makes two, so with a crossover
+ * rate of 0.5 about two thirds of all children come from crossover.
+ *
+ * <p>Source: spec/evolution.md, section 2.4.
+ *
+ * @param isCrossing whether there is crossover at all; without it nothing is drawn for that decision
+ * @param crossoverRate probability that a pass crosses two parents, in [0, 1]
+ * @param crowding among whom the crowding distance is measured
+ */
+public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding) {
+
+    public Mating {
+        if (!(crossoverRate >= 0 && crossoverRate <= 1)) {
+            throw new IllegalArgumentException("crossoverRate must be in [0, 1], is " + crossoverRate);
+        }
+    }
+
+    /**
+     * Has {@code count} children made.
+     *
+     * @param parents the parents, at least one if children are wanted
+     * @param scores {@code scores[parent][objective]}
+     * @param isFirstGeneration whether this is generation 0, whose tournaments differ
+     */
+    public <P, C> List<C> children(
+            List<P> parents,
+            double[][] scores,
+            boolean isFirstGeneration,
+            int count,
+            Breeding<P, C> breeding,
+            ResumableRandom random) {
+        Tournament tournament = tournament(scores, isFirstGeneration);
+        List<C> children = new ArrayList<>(count);
+        while (children.size() < count) {
+            P parent = parents.get(tournament.winner(random));
+            if (isCrossing && random.nextDouble() < crossoverRate) {
+                P mate = parents.get(tournament.winner(random));
+                children.addAll(breeding.fromTwo(parent, mate, count - children.size(), random));
+            } else {
+                children.add(breeding.fromOne(parent, random));
+            }
+        }
+        return children;
+    }
+
+    private Tournament tournament(double[][] scores, boolean isFirstGeneration) {
+        NondominatedSorting sorting = NondominatedSorting.of(scores, crowding);
+        // The original's quirk: in generation 0 only dominance counts, and the second contestant wins ties.
+        return isFirstGeneration && crowding == Crowding.WHOLE_POPULATION
+                ? Tournament.byDominance(scores, sorting)
+                : Tournament.byCrowding(scores, sorting);
+    }
+}
