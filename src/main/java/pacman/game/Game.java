@@ -1,0 +1,937 @@
+package pacman.game;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.DM;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.GameRules.Conventions;
+import pacman.game.GameStep.Reversal;
+import pacman.game.internal.Maze;
+import pacman.game.internal.MazeTables;
+import pacman.game.internal.NodeMoves;
+import pacman.game.internal.PathsCache;
+
+/**
+ * A game of Ms. Pac-Man vs Ghosts: the competition's interface on top of the engine.
+ *
+ * <p>Usually a loop asks both controllers, each with a {@link #copy()} of its own, and passes the answers to {@link
+ * #advanceGame}, until {@link #gameOver()}. Times are in game steps, path distances in nodes, other distances in pixels.
+ * A node is its index in the maze's graph; a pill or power pill "number" is its position in the list of the maze, not a
+ * node. Node arguments outside the maze throw {@link IndexOutOfBoundsException}. Arrays of the maze that queries return
+ * (moves, neighbours, junctions, pills) are shared: do not modify them.
+ *
+ * <p>A game belongs to one thread at a time; different games share nothing that changes, except a generator passed to several.
+ *
+ * <p>Source: spec/simulator.md, section 6.
+ */
+public final class Game {
+
+    private static final MOVE[] MOVES = MOVE.values();
+    private static final GHOST[] GHOSTS = GHOST.values();
+    private static final int NO_MOVES =
+            packed(GameState.NO_MOVE, GameState.NO_MOVE, GameState.NO_MOVE, GameState.NO_MOVE);
+    /** Completed calls after which a null move of Ms. Pac-Man ends the game. */
+    private static final int CALLS_BEFORE_NULL_COUNTS = 10;
+
+    /** The paths of the four mazes; section 1.4. */
+    public static final PathsCache[] caches = {
+        new PathsCache(0), new PathsCache(1), new PathsCache(2), new PathsCache(3)
+    };
+
+    /** The game's own generator; a controller that draws from its copy's sees the numbers that the engine is about to use. */
+    public final ResumableRandom rnd;
+
+    private final GameState state;
+
+    /** A competition game in the first maze. */
+    public Game(long seed) {
+        this(seed, 0);
+    }
+
+    /** A competition game that starts in one of the four mazes, 0 to 3. */
+    public Game(long seed, int initialMaze) {
+        this(new GameState(seed, CompetitionRules.RULES, initialMaze, null));
+    }
+
+    /** A game by given rules, every random number of which follows from the seed. */
+    public Game(long seed, GameRules rules) {
+        this(seed, rules, null);
+    }
+
+    /**
+     * A game by given rules that is part of a larger run.
+     *
+     * @param shared the run's generator, from which the original draws what has to do with the task: places of ghosts that
+     *     leave the lair, missing pills, and a number whenever a ghost's edible time runs out. Copies of the game draw from it
+     *     too. If null, the game's own generator is used
+     */
+    public Game(long seed, GameRules rules, ResumableRandom shared) {
+        this(new GameState(seed, rules, rules.initialMaze(), shared));
+    }
+
+    private Game(GameState state) {
+        this.state = state;
+        rnd = state.random;
+    }
+
+    /** The default rules, in a class of their own so that they exist before {@link #caches} makes games. */
+    private static final class CompetitionRules {
+        static final GameRules RULES = GameRules.competition();
+    }
+
+    // ---- Copying and starting again
+
+    /**
+     * A game that continues as this one would. By MM-NEAT's conventions it forgets most switches, and what was eaten; see
+     * {@link GameRules.Conventions}.
+     */
+    public Game copy() {
+        return new Game(state.copy());
+    }
+
+    /** Begins a new game by the same rules in this object, without allocation; the switches are those of the rules again. */
+    public void restart(long seed) {
+        state.restart(seed);
+    }
+
+    /** The rules of the game; switches set later are not in them. */
+    public GameRules rules() {
+        return state.rules;
+    }
+
+    /** The state as a string of comma-separated fields: 35 by the competition's conventions, 56 by MM-NEAT's. */
+    public String getGameState() {
+        return StateText.write(state);
+    }
+
+    /**
+     * Restores what {@link #getGameState()} of either conventions holds, and nothing else.
+     *
+     * @throws IllegalArgumentException if the string is not a game state
+     */
+    public void setGameState(String gameState) {
+        StateText.read(state, gameState);
+    }
+
+    // ---- Advancing
+
+    /**
+     * Plays one step.
+     *
+     * @param pacManMove direction asked for; if it is not open, NEUTRAL or null she goes straight on or stops. By MM-NEAT's
+     *     conventions null ends the game from the twelfth call on
+     * @param ghostMoves directions asked for, may be null or incomplete; holds the moves made afterwards
+     */
+    public void advanceGame(MOVE pacManMove, EnumMap<GHOST, MOVE> ghostMoves) {
+        if (endsByNull(pacManMove)) {
+            return;
+        }
+        updatePacMan(pacManMove);
+        updateGhosts(ghostMoves);
+        updateGame();
+        state.calls++;
+    }
+
+    /**
+     * Plays one step like {@link #advanceGame(MOVE, EnumMap)}, without a map: null or NEUTRAL is no request.
+     */
+    public void advanceGame(MOVE pacManMove, MOVE blinky, MOVE pinky, MOVE inky, MOVE sue) {
+        if (endsByNull(pacManMove)) {
+            return;
+        }
+        updatePacMan(pacManMove);
+        int requests = packed(request(blinky), request(pinky), request(inky), request(sue));
+        GameStep.updateGhosts(state, requests, Reversal.NORMAL);
+        updateGame();
+        state.calls++;
+    }
+
+    private boolean endsByNull(MOVE pacManMove) {
+        if (pacManMove == null
+                && state.calls > CALLS_BEFORE_NULL_COUNTS
+                && state.rules.conventions() == Conventions.MM_NEAT) {
+            state.gameOver = true;
+            return true;
+        }
+        return false;
+    }
+
+    /** Plays one step in which no ghost reverses. */
+    public void advanceGameWithoutReverse(MOVE pacManMove, EnumMap<GHOST, MOVE> ghostMoves) {
+        updatePacMan(pacManMove);
+        updateGhostsWithoutReverse(ghostMoves);
+        updateGame();
+    }
+
+    /** Plays one step in which all ghosts reverse. */
+    public void advanceGameWithForcedReverse(MOVE pacManMove, EnumMap<GHOST, MOVE> ghostMoves) {
+        updatePacMan(pacManMove);
+        updateGhostsWithForcedReverse(ghostMoves);
+        updateGame();
+    }
+
+    /** Plays one step in which ghosts reverse only if a power pill is eaten. */
+    public void advanceGameWithPowerPillReverseOnly(MOVE pacManMove, EnumMap<GHOST, MOVE> ghostMoves) {
+        updatePacMan(pacManMove);
+        if (state.powerPillEaten) {
+            updateGhostsWithForcedReverse(ghostMoves);
+        } else {
+            updateGhostsWithoutReverse(ghostMoves);
+        }
+        updateGame();
+    }
+
+    /** Ms. Pac-Man's part of a step: she moves and eats what lies there. */
+    public void updatePacMan(MOVE pacManMove) {
+        GameStep.updatePacMan(state, request(pacManMove));
+    }
+
+    /** The ghosts' part of a step. */
+    public void updateGhosts(EnumMap<GHOST, MOVE> ghostMoves) {
+        updateGhosts(ghostMoves, Reversal.NORMAL);
+    }
+
+    public void updateGhostsWithoutReverse(EnumMap<GHOST, MOVE> ghostMoves) {
+        updateGhosts(ghostMoves, Reversal.NEVER);
+    }
+
+    public void updateGhostsWithForcedReverse(EnumMap<GHOST, MOVE> ghostMoves) {
+        updateGhosts(ghostMoves, Reversal.FORCED);
+    }
+
+    private void updateGhosts(EnumMap<GHOST, MOVE> moves, Reversal reversal) {
+        if (moves == null) {
+            GameStep.updateGhosts(state, NO_MOVES, reversal);
+            return;
+        }
+        if (moves.size() < GHOSTS.length) {
+            for (GHOST ghost : GHOSTS) {
+                if (!moves.containsKey(ghost)) {
+                    moves.put(ghost, MOVE.NEUTRAL);
+                }
+            }
+        }
+        int requests = packed(
+                request(moves.get(GHOST.BLINKY)),
+                request(moves.get(GHOST.PINKY)),
+                request(moves.get(GHOST.INKY)),
+                request(moves.get(GHOST.SUE)));
+        int made = GameStep.updateGhosts(state, requests, reversal);
+        if (made == requests) {
+            return;
+        }
+        for (int ghost = 0; ghost < GHOSTS.length; ghost++) {
+            int move = made >>> GameStep.MOVE_BITS * ghost & GameStep.MOVE_MASK;
+            if (move != GameStep.NOT_MOVED) {
+                moves.put(GHOSTS[ghost], MOVES[move]);
+            }
+        }
+    }
+
+    private static int request(MOVE move) {
+        return move == null ? GameState.NO_MOVE : move.ordinal();
+    }
+
+    private static int packed(int blinky, int pinky, int inky, int sue) {
+        return blinky | pinky << GameStep.MOVE_BITS | inky << 2 * GameStep.MOVE_BITS | sue << 3 * GameStep.MOVE_BITS;
+    }
+
+    /** What follows the moves of a step: who meets whom, lair times, clocks, the end of level and game. */
+    public void updateGame() {
+        updateGame(true, true, true, true, true);
+    }
+
+    /** Parts of {@link #updateGame()}; the end of level and game is always looked at. */
+    public void updateGame(
+            boolean feast,
+            boolean updateLairTimes,
+            boolean updateExtraLife,
+            boolean updateTotalTime,
+            boolean updateLevelTime) {
+        if (feast) {
+            GameStep.feast(state);
+        }
+        if (updateLairTimes) {
+            GameStep.updateLairTimes(state);
+        }
+        if (updateExtraLife) {
+            GameStep.updateExtraLife(state);
+        }
+        if (updateTotalTime) {
+            state.totalTime++;
+        }
+        if (updateLevelTime) {
+            state.levelTime++;
+        }
+        GameStep.endLevelOrGame(state);
+    }
+
+    // ---- What happened in the last step
+
+    public boolean wasPacManEaten() {
+        return state.pacManEaten;
+    }
+
+    public boolean wasGhostEaten(GHOST ghost) {
+        return (state.ghostsEaten >>> ghost.ordinal() & 1) != 0;
+    }
+
+    /** Ghosts eaten in the last step, 0 to 4. */
+    public int getNumGhostsEaten() {
+        return Integer.bitCount(state.ghostsEaten);
+    }
+
+    public boolean wasPillEaten() {
+        return state.pillEaten;
+    }
+
+    public boolean wasPowerPillEaten() {
+        return state.powerPillEaten;
+    }
+
+    /** Total time before the step in which ghosts last reversed, after a power pill or at random; -1 if they never did. */
+    public int getTimeOfLastGlobalReversal() {
+        return state.timeOfLastReversal;
+    }
+
+    public boolean gameOver() {
+        return state.gameOver;
+    }
+
+    // ---- Level, score, time
+
+    public int getScore() {
+        return state.score;
+    }
+
+    /** Completed steps in this level. */
+    public int getCurrentLevelTime() {
+        return state.levelTime;
+    }
+
+    /** Completed steps in this game. */
+    public int getTotalTime() {
+        return state.totalTime;
+    }
+
+    /** Level from 0, counting on over the mazes. */
+    public int getCurrentLevel() {
+        return state.level;
+    }
+
+    public int getMazeIndex() {
+        return state.mazeIndex;
+    }
+
+    /** Steps until the level time limit; may be negative. */
+    public int levelTimeLeft() {
+        return state.rules.levelTimeLimit() - state.levelTime;
+    }
+
+    /** Points for the next ghost. */
+    public int getGhostCurrentEdibleScore() {
+        return Constants.GHOST_EAT_SCORE * state.ghostMultiplier;
+    }
+
+    // ---- Ms. Pac-Man
+
+    public int getPacmanCurrentNodeIndex() {
+        return state.pacManNode;
+    }
+
+    /** Her last move; NEUTRAL if she stands, LEFT at the start of a level. */
+    public MOVE getPacmanLastMoveMade() {
+        return MOVES[state.pacManMove];
+    }
+
+    /** Lives, the current one included. */
+    public int getPacmanNumberOfLivesRemaining() {
+        return state.lives;
+    }
+
+    // ---- Ghosts
+
+    /** Node of a ghost; the lair node while it is in the lair. */
+    public int getGhostCurrentNodeIndex(GHOST ghost) {
+        return state.ghosts[GameState.NODE + ghost.ordinal()];
+    }
+
+    /** Last move of a ghost; NEUTRAL until it moves after the lair. */
+    public MOVE getGhostLastMoveMade(GHOST ghost) {
+        return MOVES[state.ghosts[GameState.MOVE + ghost.ordinal()]];
+    }
+
+    /** Steps for which a ghost stays edible; 0 if it is not. */
+    public int getGhostEdibleTime(GHOST ghost) {
+        return state.ghosts[GameState.EDIBLE + ghost.ordinal()];
+    }
+
+    public boolean isGhostEdible(GHOST ghost) {
+        return getGhostEdibleTime(ghost) > 0;
+    }
+
+    /** Steps for which a ghost stays in the lair; 0 outside. */
+    public int getGhostLairTime(GHOST ghost) {
+        return state.ghosts[GameState.LAIR + ghost.ordinal()];
+    }
+
+    /** Whether a ghost may choose: at a junction or just out of the lair, and moving in the next step. */
+    public boolean doesGhostRequireAction(GHOST ghost) {
+        int index = ghost.ordinal();
+        int node = state.ghosts[GameState.NODE + index];
+        int edibleTime = state.ghosts[GameState.EDIBLE + index];
+        boolean mayChoose = state.graph.isJunction(node)
+                || state.ghosts[GameState.MOVE + index] == GameState.NO_MOVE && node == state.graph.ghostStart();
+        return mayChoose && (edibleTime == 0 || (edibleTime & 1) != 0);
+    }
+
+    /** Neither edible nor in the lair. */
+    public boolean isGhostThreat(int ghostIndex) {
+        return state.isThreat(ghostIndex);
+    }
+
+    /** Nodes of the threats, in ghost order. */
+    public int[] getThreatGhostLocations() {
+        int[] nodes = new int[GHOSTS.length];
+        int count = 0;
+        for (int ghost = 0; ghost < GHOSTS.length; ghost++) {
+            if (state.isThreat(ghost)) {
+                nodes[count++] = state.ghosts[GameState.NODE + ghost];
+            }
+        }
+        return Arrays.copyOf(nodes, count);
+    }
+
+    public int getNumEdibleGhosts() {
+        return state.edibleGhosts();
+    }
+
+    /** Steps for which a power pill makes ghosts edible in this level. */
+    public int newEdibleTime() {
+        return state.newEdibleTime();
+    }
+
+    // ---- Pills
+
+    /** Whether a pill is present; false for a number that the maze does not have. */
+    public boolean isPillStillAvailable(int pillIndex) {
+        return isSet("pill", pillIndex, state.graph.pillCount()) && state.hasPill(pillIndex);
+    }
+
+    /** Whether a power pill is present; false for a number that the maze does not have. */
+    public boolean isPowerPillStillAvailable(int powerPillIndex) {
+        return isSet("power pill", powerPillIndex, state.graph.powerPillCount())
+                && (state.powerPills >>> powerPillIndex & 1) != 0;
+    }
+
+    private static boolean isSet(String kind, int number, int count) {
+        if (number < 0) {
+            throw new IndexOutOfBoundsException(kind + " number " + number + " is negative");
+        }
+        return number < count;
+    }
+
+    /** Number of the pill on a node, eaten or not; -1 if there is none. */
+    public int getPillIndex(int nodeIndex) {
+        return state.graph.pillNumber(nodeIndex);
+    }
+
+    /** Number of the power pill on a node, eaten or not; -1 if there is none. */
+    public int getPowerPillIndex(int nodeIndex) {
+        return state.graph.powerPillNumber(nodeIndex);
+    }
+
+    /** Nodes of the maze's pills, eaten or not. */
+    public int[] getPillIndices() {
+        return getCurrentMaze().pillIndices;
+    }
+
+    /** Nodes of the maze's power pills, eaten or not. */
+    public int[] getPowerPillIndices() {
+        return getCurrentMaze().powerPillIndices;
+    }
+
+    /** Nodes of the pills that are present, in number order. */
+    public int[] getActivePillsIndices() {
+        int[] nodes = new int[state.pillsLeft];
+        int count = 0;
+        for (int word = 0; word < state.pills.length; word++) {
+            for (long bits = state.pills[word]; bits != 0; bits &= bits - 1) {
+                nodes[count++] = state.graph.pillNode(64 * word + Long.numberOfTrailingZeros(bits));
+            }
+        }
+        return nodes;
+    }
+
+    /** Nodes of the power pills that are present, in number order. */
+    public int[] getActivePowerPillsIndices() {
+        int[] nodes = new int[Long.bitCount(state.powerPills)];
+        int count = 0;
+        for (long bits = state.powerPills; bits != 0; bits &= bits - 1) {
+            nodes[count++] = state.graph.powerPillNode(Long.numberOfTrailingZeros(bits));
+        }
+        return nodes;
+    }
+
+    /** Number of the maze's pills, eaten or not. */
+    public int getNumberOfPills() {
+        return state.graph.pillCount();
+    }
+
+    /** Number of the maze's power pills, eaten or not. */
+    public int getNumberOfPowerPills() {
+        return state.graph.powerPillCount();
+    }
+
+    public int getNumberOfActivePills() {
+        return state.pillsLeft;
+    }
+
+    public int getNumberOfActivePowerPills() {
+        return Long.bitCount(state.powerPills);
+    }
+
+    // ---- Maze
+
+    /** The maze as entries see it; shared, do not modify. */
+    public Maze getCurrentMaze() {
+        return state.tables.maze();
+    }
+
+    /** The maze as the engine sees it: graph, distances and paths on primitive arrays. */
+    public MazeTables mazeTables() {
+        return state.tables;
+    }
+
+    /** Horizontal position of a node in pixels. */
+    public int getNodeXCood(int nodeIndex) {
+        return state.graph.x(nodeIndex);
+    }
+
+    /** Vertical position of a node in pixels, growing downwards. */
+    public int getNodeYCood(int nodeIndex) {
+        return state.graph.y(nodeIndex);
+    }
+
+    /** {@link #getNodeXCood}, in MM-NEAT's spelling. */
+    public int getNodeXCoord(int nodeIndex) {
+        return getNodeXCood(nodeIndex);
+    }
+
+    /** {@link #getNodeYCood}, in MM-NEAT's spelling. */
+    public int getNodeYCoord(int nodeIndex) {
+        return getNodeYCood(nodeIndex);
+    }
+
+    /** Number of nodes, the lair included. */
+    public int getNumberOfNodes() {
+        return state.graph.nodeCount();
+    }
+
+    /** Node on which ghosts leave the lair. */
+    public int getGhostInitialNodeIndex() {
+        return state.graph.ghostStart();
+    }
+
+    /** Nodes with three or more neighbours. */
+    public int[] getJunctionIndices() {
+        return getCurrentMaze().junctionIndices;
+    }
+
+    public boolean isJunction(int nodeIndex) {
+        return state.graph.isJunction(nodeIndex);
+    }
+
+    /** Open directions of a node, in the order up, right, down, left; empty for the lair. */
+    public MOVE[] getPossibleMoves(int nodeIndex) {
+        return moves().moves(nodeIndex, MOVE.NEUTRAL);
+    }
+
+    /** Open directions other than back; null if nothing comes to the node by that move. */
+    public MOVE[] getPossibleMoves(int nodeIndex, MOVE lastMoveMade) {
+        return moves().moves(nodeIndex, lastMoveMade);
+    }
+
+    /** Neighbours in the order up, right, down, left; empty for the lair. */
+    public int[] getNeighbouringNodes(int nodeIndex) {
+        return moves().neighbours(nodeIndex, MOVE.NEUTRAL);
+    }
+
+    /** Neighbours other than the one behind; null if nothing comes to the node by that move. */
+    public int[] getNeighbouringNodes(int nodeIndex, MOVE lastMoveMade) {
+        return moves().neighbours(nodeIndex, lastMoveMade);
+    }
+
+    private NodeMoves moves() {
+        return state.tables.moves();
+    }
+
+    /** The node in a direction; -1 if there is none, also for NEUTRAL and null. */
+    public int getNeighbour(int nodeIndex, MOVE moveToBeMade) {
+        return moveToBeMade == null || moveToBeMade == MOVE.NEUTRAL
+                ? -1
+                : state.graph.neighbour(nodeIndex, moveToBeMade.ordinal());
+    }
+
+    /** The direction from a node to one beside it; null if it is not beside it. */
+    public MOVE getMoveToMakeToReachDirectNeighbour(int currentNodeIndex, int neighbourNodeIndex) {
+        for (int direction = 0; direction < 4; direction++) {
+            int next = state.graph.neighbour(currentNodeIndex, direction);
+            if (next >= 0 && next == neighbourNodeIndex) {
+                return MOVES[direction];
+            }
+        }
+        return null;
+    }
+
+    // ---- Distances and paths
+
+    /** Path distance where turning back is allowed; -1 to or from the lair. */
+    public int getShortestPathDistance(int fromNodeIndex, int toNodeIndex) {
+        return MoveQueries.pathDistance(state.tables, fromNodeIndex, toNodeIndex);
+    }
+
+    /** Length of {@link #getShortestPath(int, int, MOVE)}. */
+    public int getShortestPathDistance(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade) {
+        return state.tables.paths().directedLength(fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, lastMoveMade));
+    }
+
+    /** A path that may start in any direction: the nodes after the start, the target last. */
+    public int[] getShortestPath(int fromNodeIndex, int toNodeIndex) {
+        return state.tables.paths().undirectedPath(fromNodeIndex, toNodeIndex);
+    }
+
+    /** A path that does not turn back: the nodes after the start, the target last; not always the shortest. */
+    public int[] getShortestPath(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade) {
+        return state.tables.paths().directedPath(fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, lastMoveMade));
+    }
+
+    /** Null is allowed at a junction and in the lair, where it forbids nothing. */
+    private int lastMove(int node, MOVE lastMoveMade) {
+        if (lastMoveMade == null && state.graph.degree(node) == 2) {
+            throw new NullPointerException("a path that must not turn back needs the last move made");
+        }
+        return request(lastMoveMade);
+    }
+
+    /**
+     * The same as {@link #getShortestPath(int, int, MOVE)}.
+     *
+     * @deprecated a former name
+     */
+    @Deprecated
+    public int[] getAStarPath(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade) {
+        return getShortestPath(fromNodeIndex, toNodeIndex, lastMoveMade);
+    }
+
+    /**
+     * The same as {@link #getShortestPath(int, int, MOVE)}.
+     *
+     * @deprecated a former name
+     */
+    @Deprecated
+    public int[] getApproximateShortestPath(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade) {
+        return getShortestPath(fromNodeIndex, toNodeIndex, lastMoveMade);
+    }
+
+    /**
+     * The same as {@link #getShortestPathDistance(int, int, MOVE)}.
+     *
+     * @deprecated a former name
+     */
+    @Deprecated
+    public int getApproximateShortestPathDistance(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade) {
+        return getShortestPathDistance(fromNodeIndex, toNodeIndex, lastMoveMade);
+    }
+
+    /** Straight distance in pixels. */
+    public double getEuclideanDistance(int fromNodeIndex, int toNodeIndex) {
+        return MoveQueries.euclideanDistance(state.graph, fromNodeIndex, toNodeIndex);
+    }
+
+    /** Horizontal plus vertical distance in pixels. */
+    public int getManhattanDistance(int fromNodeIndex, int toNodeIndex) {
+        return MoveQueries.manhattanDistance(state.graph, fromNodeIndex, toNodeIndex);
+    }
+
+    public double getDistance(int fromNodeIndex, int toNodeIndex, DM distanceMeasure) {
+        return MoveQueries.distance(state.tables, fromNodeIndex, toNodeIndex, distanceMeasure);
+    }
+
+    /** Distance without turning back; only {@link DM#PATH} minds the last move. */
+    public double getDistance(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
+        return distanceMeasure == DM.PATH
+                ? getShortestPathDistance(fromNodeIndex, toNodeIndex, lastMoveMade)
+                : getDistance(fromNodeIndex, toNodeIndex, distanceMeasure);
+    }
+
+    /** The first nearest of some nodes; -1 if there are none. By MM-NEAT's conventions entries of -1 are skipped. */
+    public int getClosestNodeIndexFromNodeIndex(int fromNodeIndex, int[] targetNodeIndices, DM distanceMeasure) {
+        return MoveQueries.closest(
+                state.tables, fromNodeIndex, targetNodeIndices, distanceMeasure, state.rules.conventions());
+    }
+
+    /** The first farthest of some nodes; -1 if there are none. */
+    public int getFarthestNodeIndexFromNodeIndex(int fromNodeIndex, int[] targetNodeIndices, DM distanceMeasure) {
+        return MoveQueries.farthest(state.tables, fromNodeIndex, targetNodeIndices, distanceMeasure);
+    }
+
+    /** The direction whose neighbour is nearest to a target; null in the lair. */
+    public MOVE getNextMoveTowardsTarget(int fromNodeIndex, int toNodeIndex, DM distanceMeasure) {
+        return MoveQueries.nextMove(state.tables, fromNodeIndex, toNodeIndex, distanceMeasure, true);
+    }
+
+    /** The direction whose neighbour is farthest from a target; null in the lair. */
+    public MOVE getNextMoveAwayFromTarget(int fromNodeIndex, int toNodeIndex, DM distanceMeasure) {
+        return MoveQueries.nextMove(state.tables, fromNodeIndex, toNodeIndex, distanceMeasure, false);
+    }
+
+    /** The direction, other than back, whose neighbour is nearest to a target by plain distance. */
+    public MOVE getApproximateNextMoveTowardsTarget(
+            int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
+        return MoveQueries.nextMove(
+                state.tables, fromNodeIndex, toNodeIndex, lastMoveMade.ordinal(), distanceMeasure, true);
+    }
+
+    /** The direction, other than back, whose neighbour is farthest from a target by plain distance. */
+    public MOVE getApproximateNextMoveAwayFromTarget(
+            int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
+        return MoveQueries.nextMove(
+                state.tables, fromNodeIndex, toNodeIndex, lastMoveMade.ordinal(), distanceMeasure, false);
+    }
+
+    /** The direction, other than back, from which the path that never turns back is shortest. */
+    public MOVE getNextMoveTowardsTarget(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
+        return nextMoveDirected(fromNodeIndex, toNodeIndex, lastMoveMade, distanceMeasure, true);
+    }
+
+    /** The direction, other than back, from which the path that never turns back is longest. */
+    public MOVE getNextMoveAwayFromTarget(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
+        return nextMoveDirected(fromNodeIndex, toNodeIndex, lastMoveMade, distanceMeasure, false);
+    }
+
+    private MOVE nextMoveDirected(int from, int to, MOVE lastMoveMade, DM metric, boolean towards) {
+        return MoveQueries.nextMoveDirected(
+                state.tables, from, to, lastMoveMade.ordinal(), metric, towards, state.rules.conventions());
+    }
+
+    // ---- State for sensors, by index and without allocation
+
+    /** Node of a ghost by index 0 to 3. */
+    public int ghostNode(int ghost) {
+        return state.ghosts[GameState.NODE + ghost];
+    }
+
+    /** Edible time of a ghost by index. */
+    public int ghostEdibleTime(int ghost) {
+        return state.ghosts[GameState.EDIBLE + ghost];
+    }
+
+    /** Lair time of a ghost by index. */
+    public int ghostLairTime(int ghost) {
+        return state.ghosts[GameState.LAIR + ghost];
+    }
+
+    /** Last move of a ghost by index: 0 up, 1 right, 2 down, 3 left, 4 none. */
+    public int ghostLastMove(int ghost) {
+        return state.ghosts[GameState.MOVE + ghost];
+    }
+
+    /** Ms. Pac-Man's last move: 0 up, 1 right, 2 down, 3 left, 4 none. */
+    public int pacManLastMove() {
+        return state.pacManMove;
+    }
+
+    /** One word of the bit set of pills present, by pill number. */
+    public long pillBits(int word) {
+        return state.pills[word];
+    }
+
+    /** Bit set of power pills present, by power pill number. */
+    public long powerPillBits() {
+        return state.powerPills;
+    }
+
+    // ---- Switches of MM-NEAT's tasks; GameSwitches says what they mean
+
+    public void setExitLairEdible(boolean on) {
+        state.set(GameState.EXIT_LAIR_EDIBLE, on);
+    }
+
+    public void setEndOnlyOnTimeLimit(boolean on) {
+        state.set(GameState.END_ONLY_ON_TIME_LIMIT, on);
+    }
+
+    public void setRandomLairExit(boolean on) {
+        state.set(GameState.RANDOM_LAIR_EXIT, on);
+    }
+
+    /** Needs {@link GameRules#ghostLocations} and a starting power pill. */
+    public void setLairExitDatabase(boolean on) {
+        if (on && state.rules.ghostLocations() == null) {
+            throw new IllegalStateException("the rules of this game have no ghostLocations");
+        }
+        state.set(GameState.LAIR_EXIT_DATABASE, on);
+    }
+
+    public void setSimultaneousLairExit(boolean on) {
+        state.set(GameState.SIMULTANEOUS_LAIR_EXIT, on);
+    }
+
+    public void setGhostsStartOutsideLair(boolean on) {
+        state.set(GameState.GHOSTS_START_OUTSIDE_LAIR, on);
+    }
+
+    public void setOnlyOneLairExitAllowed(boolean on) {
+        state.set(GameState.ONLY_ONE_LAIR_EXIT, on);
+    }
+
+    public void setEndAfterGhostEatingChances(boolean on) {
+        state.set(GameState.END_AFTER_GHOST_EATING_CHANCES, on);
+    }
+
+    public void setEndAfterPowerPillsEaten(boolean on) {
+        state.set(GameState.END_AFTER_POWER_PILLS_EATEN, on);
+    }
+
+    /** Takes the pills away at once when switched on. */
+    public void setRemovePillsNearPowerPills(boolean on) {
+        state.set(GameState.REMOVE_PILLS_NEAR_POWER_PILLS, on);
+    }
+
+    /** Takes all pills away, now and in later levels. */
+    public void playWithoutPills() {
+        state.set(GameState.WITHOUT_PILLS, true);
+    }
+
+    /** Takes all power pills away, now and in later levels. */
+    public void playWithoutPowerPills() {
+        state.set(GameState.WITHOUT_POWER_PILLS, true);
+    }
+
+    /** Pills come back with the next level. */
+    public void playWithPills() {
+        state.set(GameState.WITHOUT_PILLS, false);
+    }
+
+    /** Power pills come back with the next level. */
+    public void playWithPowerPills() {
+        state.set(GameState.WITHOUT_POWER_PILLS, false);
+    }
+
+    // ---- Counters over the whole game; spec/simulator.md, section 8
+
+    /** Pills and power pills eaten. */
+    public int getEatenPills() {
+        return state.eatenPills;
+    }
+
+    public int getEatenGhosts() {
+        return state.eatenGhosts;
+    }
+
+    /** How often one ghost, 0 to 3, was eaten. */
+    public int getEatenGhosts(int ghostIndex) {
+        return state.eatenByGhost[ghostIndex];
+    }
+
+    /** Sum of the multipliers 1, 2, 4, 8 of the ghosts eaten. */
+    public int getGhostReward() {
+        return state.ghostReward;
+    }
+
+    /** Chances missed: edible ghosts at death, edible times that ran out, threats missing at a power pill. */
+    public int getGhostRegret() {
+        return state.ghostRegret;
+    }
+
+    public int getTimeGhostReward() {
+        return state.timeGhostReward;
+    }
+
+    public int getTimePillReward() {
+        return state.timePillReward;
+    }
+
+    /** Power pills eaten while all active ghosts were threats. */
+    public int getProperlyEatenPowerPills() {
+        return state.properlyEatenPowerPills;
+    }
+
+    public int getImproperlyEatenPowerPills() {
+        return state.improperlyEatenPowerPills;
+    }
+
+    public int getEatenPowerPills() {
+        return state.properlyEatenPowerPills + state.improperlyEatenPowerPills;
+    }
+
+    public int getPowerPillsEatenWhenGhostFar() {
+        return state.powerPillsEatenWhenGhostFar;
+    }
+
+    /** How near threats were when power pills were eaten, from -12800 upwards. */
+    public double getLureDistanceSum() {
+        return state.lureDistance;
+    }
+
+    /** Steps in which nothing was eaten from the floor. */
+    public long getTimeInDeadSpace() {
+        return state.timeInDeadSpace;
+    }
+
+    /** Total time before the step of each pill and power pill eaten; null in copies. */
+    public List<Integer> getPillEatTimes() {
+        return state.history == null ? null : state.history.pillEatTimes.toList();
+    }
+
+    /** Total time before the step of each ghost eaten; null in copies. */
+    public List<Integer> getGhostEatTimes() {
+        return state.history == null ? null : state.history.ghostEatTimes.toList();
+    }
+
+    /**
+     * Score gained in a level. Asking for the level that is not yet over closes its entry, so ask in ascending order.
+     *
+     * @throws IllegalStateException in a copy
+     * @throws IndexOutOfBoundsException for a level beyond
+     */
+    public double getScore(int level) {
+        return history().levelScore(level, state.score);
+    }
+
+    /**
+     * Mean number of ghosts eaten per power pill.
+     *
+     * @param punishUneaten whether power pills of all levels that were never eaten count as 0, from now on
+     * @throws IllegalStateException in a copy
+     */
+    public double averageGhostsEatenPerPowerPill(boolean punishUneaten) {
+        return history().meanGhostsPerPowerPill(punishUneaten, powerPillsInAllLevels());
+    }
+
+    /**
+     * Mean number of steps from a power pill until all ghosts are eaten, Integer.MAX_VALUE for power pills where they were not.
+     *
+     * @throws IllegalStateException in a copy
+     */
+    public double averageTimeToEatAllGhostsAfterPowerPill() {
+        return history().meanTimeToEatAll(powerPillsInAllLevels());
+    }
+
+    /** Without a last level there is no number of power pills to compare with. */
+    private int powerPillsInAllLevels() {
+        int levels = state.rules.maximumLevel();
+        return levels == Integer.MAX_VALUE ? 0 : Constants.NUM_MAZES * levels;
+    }
+
+    private GameHistory history() {
+        if (state.history == null) {
+            throw new IllegalStateException("a copy of a game does not know its history");
+        }
+        return state.history;
+    }
+}

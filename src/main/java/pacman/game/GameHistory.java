@@ -1,0 +1,92 @@
+package pacman.game;
+
+import java.util.Arrays;
+
+/**
+ * What a game remembers of its course, for reports: lists that no rule depends on. Copies of a game have none.
+ *
+ * <p>Source: spec/simulator.md, sections 2.4, 2.5 and 8.
+ */
+final class GameHistory {
+
+    /** Entry of {@link #timesToEatAll} when not all ghosts were eaten. */
+    static final int NEVER = Integer.MAX_VALUE;
+
+    /** Total time at which each pill or power pill was eaten. */
+    final IntList pillEatTimes = new IntList();
+    /** Total time at which each ghost was eaten. */
+    final IntList ghostEatTimes = new IntList();
+    /** Ghosts eaten after each power pill. */
+    final IntList ghostsPerPowerPill = new IntList();
+    /** Steps from a power pill until all ghosts were eaten. */
+    final IntList timesToEatAll = new IntList();
+    /** Score gained in each level that is over. */
+    private double[] levelScores = new double[16];
+
+    private int levels;
+    private double closedScore;
+
+    void clear() {
+        pillEatTimes.clear();
+        ghostEatTimes.clear();
+        ghostsPerPowerPill.clear();
+        timesToEatAll.clear();
+        levels = 0;
+        closedScore = 0;
+    }
+
+    void closeLevel(int score) {
+        if (levels == levelScores.length) {
+            levelScores = Arrays.copyOf(levelScores, 2 * levels);
+        }
+        levelScores[levels] = score - closedScore;
+        closedScore += levelScores[levels];
+        levels++;
+    }
+
+    /** Score gained in a level; asking for the first level without an entry closes it. */
+    double levelScore(int level, int score) {
+        if (level == levels) {
+            closeLevel(score);
+        }
+        if (level < 0 || level >= levels) {
+            throw new IndexOutOfBoundsException(
+                    "level scores are known up to level " + (levels - 1) + ", asked for " + level);
+        }
+        return levelScores[level];
+    }
+
+    /** Counts a ghost eaten after the last power pill; {@code isLast}: whether no ghost is edible any more. */
+    void ghostEaten(int activeGhosts, boolean isLast, int stepsSincePowerPill) {
+        int last = ghostsPerPowerPill.size() - 1;
+        if (last < 0) {
+            // A restored game does not know the power pill; the original throws here.
+            return;
+        }
+        ghostsPerPowerPill.set(last, ghostsPerPowerPill.get(last) + 1);
+        if (ghostsPerPowerPill.get(last) == activeGhosts) {
+            timesToEatAll.add(stepsSincePowerPill);
+        } else if (isLast) {
+            timesToEatAll.add(NEVER);
+        }
+    }
+
+    /** Mean of the ghosts eaten per power pill; zeros for power pills never eaten are added for good when asked for. */
+    double meanGhostsPerPowerPill(boolean withUneaten, int powerPills) {
+        if (withUneaten) {
+            pad(ghostsPerPowerPill, powerPills, 0);
+        }
+        return ghostsPerPowerPill.mean();
+    }
+
+    double meanTimeToEatAll(int powerPills) {
+        pad(timesToEatAll, powerPills, NEVER);
+        return timesToEatAll.mean();
+    }
+
+    private static void pad(IntList list, int size, int value) {
+        while (list.size() < size) {
+            list.add(value);
+        }
+    }
+}

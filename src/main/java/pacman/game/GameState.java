@@ -1,0 +1,418 @@
+package pacman.game;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.GHOST;
+import pacman.game.GameRules.Conventions;
+import pacman.game.internal.MazeGraph;
+import pacman.game.internal.MazeTables;
+
+/**
+ * The state of a game, in fields and small arrays, and the resets that start a life or a level. {@link GameStep} changes it
+ * from step to step.
+ *
+ * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none. Source: spec/simulator.md, sections 2.2, 2.8 and 5.
+ */
+final class GameState {
+
+    static final int NO_MOVE = 4;
+    static final int GHOSTS = Constants.NUM_GHOSTS;
+
+    /*
+     * All ghosts are one array, so that a copy is one copy: entry kind + ghost, where kind is one of these.
+     */
+    static final int NODE = 0;
+    static final int EDIBLE = 4;
+    static final int LAIR = 8;
+    static final int MOVE = 12;
+
+    /** Switches, as bits of {@link #switches}. */
+    static final int EXIT_LAIR_EDIBLE = 1;
+
+    static final int END_ONLY_ON_TIME_LIMIT = 1 << 1;
+    static final int RANDOM_LAIR_EXIT = 1 << 2;
+    static final int LAIR_EXIT_DATABASE = 1 << 3;
+    static final int SIMULTANEOUS_LAIR_EXIT = 1 << 4;
+    static final int GHOSTS_START_OUTSIDE_LAIR = 1 << 5;
+    static final int ONLY_ONE_LAIR_EXIT = 1 << 6;
+    static final int END_AFTER_GHOST_EATING_CHANCES = 1 << 7;
+    static final int REMOVE_PILLS_NEAR_POWER_PILLS = 1 << 8;
+    static final int WITHOUT_PILLS = 1 << 9;
+    static final int WITHOUT_POWER_PILLS = 1 << 10;
+    static final int END_AFTER_POWER_PILLS_EATEN = 1 << 11;
+
+    // Quirk of the original: the other switches are off in copies.
+    private static final int SWITCHES_IN_COPIES = GHOSTS_START_OUTSIDE_LAIR
+            | ONLY_ONE_LAIR_EXIT
+            | END_AFTER_GHOST_EATING_CHANCES
+            | WITHOUT_PILLS
+            | WITHOUT_POWER_PILLS
+            | END_AFTER_POWER_PILLS_EATEN;
+
+    private static final GHOST[] GHOST_TYPES = GHOST.values();
+
+    /** Factor on edible and lair times by level modulo 6; the float constant makes products fall below round numbers. */
+    private static final double[] TIME_FACTORS = IntStream.range(0, Constants.LEVEL_RESET_REDUCTION)
+            .mapToDouble(level -> Math.pow(Constants.EDIBLE_TIME_REDUCTION, level))
+            .toArray();
+
+    final GameRules rules;
+    final ResumableRandom random;
+    /** Generator of the run to which the game belongs; null if the game draws from its own alone. */
+    final ResumableRandom shared;
+    /** What happened so far; null in copies. */
+    final GameHistory history;
+
+    MazeTables tables;
+    MazeGraph graph;
+    int mazeIndex;
+    /** Level from 0. */
+    int level;
+    /** Level that edible and lair times go by. */
+    int timesLevel;
+
+    int levelTime;
+    int totalTime;
+    int score;
+    /** Factor on the points for the next ghost: 1, 2, 4, ... */
+    int ghostMultiplier;
+
+    int timeOfLastReversal;
+    int timeOfLastPowerPill;
+    boolean gameOver;
+    /** Calls of advanceGame completed on this object. */
+    int calls;
+
+    int switches;
+
+    int pacManNode;
+    int pacManMove;
+    int lives;
+    boolean extraLifeReceived;
+
+    /** Nodes, edible times, lair times and last moves of the ghosts. */
+    final int[] ghosts;
+    /** Bit set of the pills present, by pill number. */
+    long[] pills;
+
+    int pillsLeft;
+    /** Bit set of the power pills present, by power pill number. */
+    long powerPills;
+
+    boolean pacManEaten;
+    /** Bit set of the ghosts eaten in the last step. */
+    int ghostsEaten;
+
+    boolean pillEaten;
+    boolean powerPillEaten;
+
+    // Counters over the whole game; spec/simulator.md, section 8.
+    int eatenPills;
+    int eatenGhosts;
+    int ghostReward;
+    int ghostRegret;
+    int timeGhostReward;
+    int timePillReward;
+    int properlyEatenPowerPills;
+    int improperlyEatenPowerPills;
+    int powerPillsEatenWhenGhostFar;
+    long timeInDeadSpace;
+    double lureDistance;
+    /** Times each ghost was eaten. */
+    final int[] eatenByGhost;
+
+    GameState(long seed, GameRules rules, int initialMaze, ResumableRandom shared) {
+        this.rules = rules;
+        this.shared = shared;
+        random = new ResumableRandom(seed);
+        history = new GameHistory();
+        ghosts = new int[4 * GHOSTS];
+        eatenByGhost = new int[GHOSTS];
+        start(initialMaze);
+    }
+
+    private GameState(GameState other) {
+        boolean complete = other.rules.conventions() == Conventions.COMPETITION;
+        rules = other.rules;
+        shared = other.shared;
+        random = other.random.copy();
+        history = null;
+        tables = other.tables;
+        graph = other.graph;
+        mazeIndex = other.mazeIndex;
+        level = other.level;
+        timesLevel = other.timesLevel;
+        levelTime = other.levelTime;
+        totalTime = other.totalTime;
+        score = other.score;
+        ghostMultiplier = other.ghostMultiplier;
+        timeOfLastReversal = other.timeOfLastReversal;
+        gameOver = other.gameOver;
+        pacManNode = other.pacManNode;
+        pacManMove = other.pacManMove;
+        lives = other.lives;
+        extraLifeReceived = other.extraLifeReceived;
+        ghosts = other.ghosts.clone();
+        pills = other.pills.clone();
+        pillsLeft = other.pillsLeft;
+        powerPills = other.powerPills;
+        ghostsEaten = other.ghostsEaten;
+        eatenPills = other.eatenPills;
+        eatenGhosts = other.eatenGhosts;
+        ghostReward = other.ghostReward;
+        ghostRegret = other.ghostRegret;
+        timeGhostReward = other.timeGhostReward;
+        timePillReward = other.timePillReward;
+        properlyEatenPowerPills = other.properlyEatenPowerPills;
+        improperlyEatenPowerPills = other.improperlyEatenPowerPills;
+        powerPillsEatenWhenGhostFar = other.powerPillsEatenWhenGhostFar;
+        timeInDeadSpace = other.timeInDeadSpace;
+        lureDistance = other.lureDistance;
+        eatenByGhost = other.eatenByGhost.clone();
+        if (complete) {
+            switches = other.switches;
+            timeOfLastPowerPill = other.timeOfLastPowerPill;
+            pacManEaten = other.pacManEaten;
+            pillEaten = other.pillEaten;
+            powerPillEaten = other.powerPillEaten;
+        } else {
+            switches = other.switches & SWITCHES_IN_COPIES;
+            timeOfLastPowerPill = -1;
+        }
+    }
+
+    /** A copy that continues the generator; what it keeps else, the rules' conventions decide. */
+    GameState copy() {
+        return new GameState(this);
+    }
+
+    /** Begins the game anew with the random numbers of a seed. */
+    void restart(long seed) {
+        random.setSeed(seed);
+        if (history != null) {
+            history.clear();
+        }
+        level = 0;
+        levelTime = 0;
+        totalTime = 0;
+        score = 0;
+        gameOver = false;
+        calls = 0;
+        extraLifeReceived = false;
+        clearFlags();
+        eatenPills = 0;
+        eatenGhosts = 0;
+        ghostReward = 0;
+        ghostRegret = 0;
+        timeGhostReward = 0;
+        timePillReward = 0;
+        properlyEatenPowerPills = 0;
+        improperlyEatenPowerPills = 0;
+        powerPillsEatenWhenGhostFar = 0;
+        timeInDeadSpace = 0;
+        Arrays.fill(eatenByGhost, 0);
+        start(rules.initialMaze());
+    }
+
+    private void start(int initialMaze) {
+        timeOfLastReversal = -1;
+        timeOfLastPowerPill = -1;
+        lureDistance = -(4.0 * 4 * 4 * 200);
+        lives = rules.lives();
+        mazeIndex = rules.onlyMaze() >= 0 ? rules.onlyMaze() : initialMaze;
+        timesLevel = Math.max(0, rules.onlyMaze());
+        // Pills are set before the switches, as by the original's constructor.
+        switches = 0;
+        enterMaze();
+        fillPills();
+        fillPowerPills();
+        resetPositions();
+        applySwitches(rules.switches());
+    }
+
+    void clearFlags() {
+        pacManEaten = false;
+        ghostsEaten = 0;
+        pillEaten = false;
+        powerPillEaten = false;
+    }
+
+    private void applySwitches(GameSwitches on) {
+        set(EXIT_LAIR_EDIBLE, on.exitLairEdible());
+        set(END_ONLY_ON_TIME_LIMIT, on.endOnlyOnTimeLimit());
+        set(RANDOM_LAIR_EXIT, on.randomLairExit());
+        set(LAIR_EXIT_DATABASE, on.lairExitDatabase());
+        set(SIMULTANEOUS_LAIR_EXIT, on.simultaneousLairExit());
+        set(GHOSTS_START_OUTSIDE_LAIR, on.ghostsStartOutsideLair());
+        set(ONLY_ONE_LAIR_EXIT, on.onlyOneLairExitAllowed());
+        set(END_AFTER_GHOST_EATING_CHANCES, on.endAfterGhostEatingChances());
+        set(REMOVE_PILLS_NEAR_POWER_PILLS, on.removePillsNearPowerPills());
+        set(WITHOUT_PILLS, on.withoutPills());
+        set(WITHOUT_POWER_PILLS, on.withoutPowerPills());
+        set(END_AFTER_POWER_PILLS_EATEN, on.endAfterPowerPillsEaten());
+    }
+
+    /** Turns a switch on or off; those about pills take away at once what they forbid, and bring nothing back. */
+    void set(int bit, boolean on) {
+        switches = on ? switches | bit : switches & ~bit;
+        if (!on) {
+            return;
+        }
+        if (bit == WITHOUT_PILLS) {
+            Arrays.fill(pills, 0);
+            pillsLeft = 0;
+        } else if (bit == WITHOUT_POWER_PILLS) {
+            powerPills = 0;
+        } else if (bit == REMOVE_PILLS_NEAR_POWER_PILLS) {
+            removePillsNearPowerPills();
+        }
+    }
+
+    boolean has(int bit) {
+        return (switches & bit) != 0;
+    }
+
+    /** Looks up the maze of {@link #mazeIndex}. */
+    void enterMaze() {
+        tables = rules.mazes().get(mazeIndex);
+        graph = tables.graph();
+    }
+
+    void fillPills() {
+        int count = graph.pillCount();
+        int words = graph.pillWords();
+        if (pills == null || pills.length != words) {
+            pills = new long[words];
+        }
+        if (has(WITHOUT_PILLS)) {
+            Arrays.fill(pills, 0);
+            pillsLeft = 0;
+            return;
+        }
+        Arrays.fill(pills, -1L);
+        if ((count & 63) != 0) {
+            pills[words - 1] = (1L << count) - 1;
+        }
+        pillsLeft = count;
+        if (rules.preEatenPillPortion() > 0) {
+            removePreEaten(count);
+        }
+    }
+
+    /** The first pills of a shuffled list are missing. */
+    private void removePreEaten(int count) {
+        var numbers = IntStream.range(0, count).boxed().collect(Collectors.toList());
+        ResumableRandom source = drawsOfTheRun();
+        for (int i = count; i > 1; i--) {
+            Collections.swap(numbers, i - 1, source.nextInt(i));
+        }
+        for (int i = 0; i < (int) Math.floor(rules.preEatenPillPortion() * count); i++) {
+            removePill(numbers.get(i));
+        }
+    }
+
+    void fillPowerPills() {
+        int count = graph.powerPillCount();
+        powerPills = has(WITHOUT_POWER_PILLS) || count == 0 ? 0 : -1L >>> (64 - count);
+    }
+
+    boolean hasPill(int pill) {
+        return (pills[pill >> 6] >>> pill & 1) != 0;
+    }
+
+    void removePill(int pill) {
+        pills[pill >> 6] &= ~(1L << pill);
+        pillsLeft--;
+    }
+
+    private void removePillsNearPowerPills() {
+        int left = 0;
+        for (int word = 0; word < pills.length; word++) {
+            pills[word] &= ~graph.pillsNearPowerPills(word);
+            left += Long.bitCount(pills[word]);
+        }
+        pillsLeft = left;
+    }
+
+    /** Everybody to the start, as at the beginning of a level and after a death. */
+    void resetPositions() {
+        ghostMultiplier = 1;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            ghosts[NODE + ghost] = graph.lair();
+            ghosts[EDIBLE + ghost] = 0;
+            ghosts[LAIR + ghost] = scaledTime(GHOST_TYPES[ghost].initialLairTime);
+            ghosts[MOVE + ghost] = NO_MOVE;
+        }
+        int powerPill = rules.startingPowerPill();
+        pacManNode = powerPill < 0 ? graph.pacManStart() : graph.powerPillNode(powerPill);
+        pacManMove = Constants.MOVE.LEFT.ordinal();
+    }
+
+    /**
+     * Starts the next level, or ends the game after the last.
+     *
+     * @return whether everybody was put back to the start; not after the last level
+     */
+    boolean newLevel() {
+        if (history != null && edibleGhosts() > 0) {
+            history.timesToEatAll.add(GameHistory.NEVER);
+        }
+        if (rules.creditForRemainingPills()) {
+            int powerPillsLeft = Long.bitCount(powerPills);
+            score += Constants.POWER_PILL / 2 * powerPillsLeft + Constants.PILL / 2 * pillsLeft;
+            eatenPills += (powerPillsLeft + pillsLeft) / 2;
+        }
+        if (history != null) {
+            history.closeLevel(score);
+        }
+        if (rules.onlyMaze() < 0) {
+            mazeIndex = (mazeIndex + 1) % rules.mazes().count();
+        }
+        level++;
+        timesLevel++;
+        levelTime = 0;
+        ghostMultiplier = 1;
+        enterMaze();
+        if (level >= rules.maximumLevel()) {
+            gameOver = true;
+            return false;
+        }
+        fillPills();
+        fillPowerPills();
+        if (has(REMOVE_PILLS_NEAR_POWER_PILLS)) {
+            removePillsNearPowerPills();
+        }
+        resetPositions();
+        return true;
+    }
+
+    /** An edible or lair time of the first level, shortened for the current one. */
+    int scaledTime(int base) {
+        return (int) (base * TIME_FACTORS[timesLevel % Constants.LEVEL_RESET_REDUCTION]);
+    }
+
+    int newEdibleTime() {
+        return scaledTime(rules.edibleTime());
+    }
+
+    int edibleGhosts() {
+        int count = 0;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            count += ghosts[EDIBLE + ghost] > 0 ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Not edible and not in the lair. */
+    boolean isThreat(int ghost) {
+        return ghosts[EDIBLE + ghost] == 0 && graph.degree(ghosts[NODE + ghost]) > 0;
+    }
+
+    /** The generator of what the original draws outside the game. */
+    ResumableRandom drawsOfTheRun() {
+        return shared == null ? random : shared;
+    }
+}

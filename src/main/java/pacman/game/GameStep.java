@@ -1,0 +1,414 @@
+package pacman.game;
+
+import static pacman.game.GameState.EDIBLE;
+import static pacman.game.GameState.GHOSTS;
+import static pacman.game.GameState.LAIR;
+import static pacman.game.GameState.MOVE;
+import static pacman.game.GameState.NODE;
+import static pacman.game.GameState.NO_MOVE;
+
+import pacman.game.GameRules.Conventions;
+import pacman.game.internal.MazeGraph;
+
+/**
+ * The rules of one game step, in the order in which {@link Game#advanceGame} applies them. Nothing here allocates, except when
+ * a lair exit starts a level.
+ *
+ * <p>Source: spec/simulator.md, sections 2.3 to 2.7.
+ */
+final class GameStep {
+
+    /** How ghosts may reverse in a step. */
+    enum Reversal {
+        /** At random and after a power pill. */
+        NORMAL,
+        /** Not at all. */
+        NEVER,
+        /** In any case. */
+        FORCED
+    }
+
+    /** Bits per ghost in a packed set of moves; {@link #NOT_MOVED} says that a ghost made none. */
+    static final int MOVE_BITS = 3;
+
+    static final int MOVE_MASK = 7;
+    static final int NOT_MOVED = 7;
+    private static final int NONE_MOVED = -1;
+
+    /** Path distance beyond which a threat does not count as lured. */
+    private static final int LURE_DISTANCE = 200;
+
+    private GameStep() {}
+
+    /** Steps 1 to 4: Ms. Pac-Man moves and eats what lies there. */
+    static void updatePacMan(GameState state, int request) {
+        MazeGraph graph = state.graph;
+        int move = NO_MOVE;
+        int next = -1;
+        if (request < NO_MOVE) {
+            next = graph.neighbour(state.pacManNode, request);
+            move = request;
+        }
+        if (next < 0 && state.pacManMove < NO_MOVE) {
+            next = graph.neighbour(state.pacManNode, state.pacManMove);
+            move = state.pacManMove;
+        }
+        if (next < 0) {
+            state.pacManMove = NO_MOVE;
+        } else {
+            state.pacManMove = move;
+            state.pacManNode = next;
+        }
+        eatPill(state);
+        eatPowerPill(state);
+        if (!state.pillEaten && !state.powerPillEaten) {
+            state.timeInDeadSpace++;
+        }
+    }
+
+    private static void eatPill(GameState state) {
+        state.pillEaten = false;
+        int pill = state.graph.pillNumber(state.pacManNode);
+        if (pill < 0 || !state.hasPill(pill)) {
+            return;
+        }
+        state.pillEaten = true;
+        state.eatenPills++;
+        state.score += Constants.PILL;
+        state.removePill(pill);
+        state.timePillReward += state.rules.levelTimeLimit() - state.levelTime;
+        if (state.history != null) {
+            state.history.pillEatTimes.add(state.totalTime);
+        }
+    }
+
+    private static void eatPowerPill(GameState state) {
+        state.powerPillEaten = false;
+        int powerPill = state.graph.powerPillNumber(state.pacManNode);
+        if (powerPill < 0 || (state.powerPills >>> powerPill & 1) == 0) {
+            return;
+        }
+        int threats = 0;
+        int nearest = Integer.MAX_VALUE;
+        int lure = 0;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            if (state.isThreat(ghost)) {
+                int distance = distanceToGhost(state, ghost);
+                threats++;
+                nearest = Math.min(nearest, distance);
+                lure += LURE_DISTANCE - Math.min(distance, LURE_DISTANCE);
+            }
+        }
+        notePowerPill(state, threats);
+        state.score += Constants.POWER_PILL;
+        if (threats == state.rules.activeGhosts()) {
+            state.properlyEatenPowerPills++;
+            if (nearest > state.rules.closeGhostDistance()) {
+                state.powerPillsEatenWhenGhostFar++;
+            }
+        } else if (state.rules.dieOnImproperPowerPillEating()) {
+            state.gameOver = true;
+            return;
+        } else {
+            state.improperlyEatenPowerPills++;
+            state.ghostRegret += state.rules.activeGhosts() - threats;
+        }
+        state.lureDistance += lure;
+        state.eatenPills++;
+        state.ghostMultiplier = 1;
+        state.powerPills &= ~(1L << powerPill);
+        state.powerPillEaten = true;
+        if (state.history != null) {
+            state.history.pillEatTimes.add(state.totalTime);
+        }
+        int edibleTime = state.newEdibleTime();
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            state.ghosts[EDIBLE + ghost] = state.ghosts[LAIR + ghost] == 0 ? edibleTime : 0;
+        }
+    }
+
+    private static void notePowerPill(GameState state, int threats) {
+        state.timeOfLastPowerPill = state.totalTime;
+        if (state.history == null) {
+            return;
+        }
+        if (threats == 0 || state.edibleGhosts() > 0) {
+            state.history.timesToEatAll.add(GameHistory.NEVER);
+        }
+        state.history.ghostsPerPowerPill.add(0);
+    }
+
+    /**
+     * Steps 6 and 7: ghosts reverse, or move.
+     *
+     * @param requests moves asked for, {@value #MOVE_BITS} bits per ghost
+     * @return moves made in step 7, packed likewise, {@value #NOT_MOVED} for a ghost that made none
+     */
+    static int updateGhosts(GameState state, int requests, Reversal reversal) {
+        switch (reversal) {
+            case NEVER:
+                return moveGhosts(state, requests);
+            case FORCED:
+                reverse(state, true);
+                return NONE_MOVED;
+            default:
+                return reverse(state, false) ? NONE_MOVED : moveGhosts(state, requests);
+        }
+    }
+
+    private static boolean reverse(GameState state, boolean forced) {
+        boolean event = state.rules.randomGhostReversals() && state.random.nextDouble() < Constants.GHOST_REVERSAL;
+        if (!forced && !event && !state.powerPillEaten || state.levelTime <= 1) {
+            return false;
+        }
+        boolean reversed = false;
+        int[] ghosts = state.ghosts;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            if (ghosts[LAIR + ghost] == 0 && ghosts[MOVE + ghost] != NO_MOVE) {
+                int back = ghosts[MOVE + ghost] ^ 2;
+                ghosts[MOVE + ghost] = back;
+                ghosts[NODE + ghost] = state.graph.neighbour(ghosts[NODE + ghost], back);
+                reversed = true;
+            }
+        }
+        if (reversed) {
+            state.timeOfLastReversal = state.totalTime;
+        }
+        return reversed;
+    }
+
+    private static int moveGhosts(GameState state, int requests) {
+        int made = 0;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            int move = NOT_MOVED;
+            int edible = state.ghosts[EDIBLE + ghost];
+            if (state.ghosts[LAIR + ghost] == 0 && (edible == 0 || (edible & 1) != 0)) {
+                move = moveGhost(state, ghost, requests >>> MOVE_BITS * ghost & MOVE_MASK);
+            }
+            made |= move << MOVE_BITS * ghost;
+        }
+        return made;
+    }
+
+    private static int moveGhost(GameState state, int ghost, int request) {
+        MazeGraph graph = state.graph;
+        int node = state.ghosts[NODE + ghost];
+        int last = state.ghosts[MOVE + ghost];
+        int back = last == NO_MOVE ? -1 : last ^ 2;
+        int move = request;
+        int next = -1;
+        if (request < NO_MOVE && request != back) {
+            next = graph.neighbour(node, request);
+        }
+        if (next < 0 && last != NO_MOVE) {
+            move = last;
+            next = graph.neighbour(node, last);
+        }
+        if (next < 0) {
+            move = drawMove(state, node, back);
+            next = graph.neighbour(node, move);
+        }
+        state.ghosts[MOVE + ghost] = move;
+        state.ghosts[NODE + ghost] = next;
+        return move;
+    }
+
+    /** A random direction other than back. The draw is made even if there is only one. */
+    private static int drawMove(GameState state, int node, int back) {
+        MazeGraph graph = state.graph;
+        int ways = graph.degree(node) - (back >= 0 && graph.neighbour(node, back) >= 0 ? 1 : 0);
+        int draw = state.random.nextInt(ways);
+        for (int direction = 0; direction < 4; direction++) {
+            if (direction != back && graph.neighbour(node, direction) >= 0 && draw-- == 0) {
+                return direction;
+            }
+        }
+        throw new IllegalStateException("node " + node + " has no way on");
+    }
+
+    /** Step 8: who meets whom, and edible times run. */
+    static void feast(GameState state) {
+        state.pacManEaten = false;
+        state.ghostsEaten = 0;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            if (!meets(state, ghost)) {
+                continue;
+            }
+            if (state.ghosts[EDIBLE + ghost] == 0) {
+                eatPacMan(state);
+                return;
+            }
+            eatGhost(state, ghost);
+        }
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            if (state.ghosts[EDIBLE + ghost] > 0 && --state.ghosts[EDIBLE + ghost] == 0) {
+                endEdibleTime(state, ghost);
+            }
+        }
+    }
+
+    private static boolean meets(GameState state, int ghost) {
+        int distance = distanceToGhost(state, ghost);
+        return distance >= 0 && distance <= Constants.EAT_DISTANCE;
+    }
+
+    private static int distanceToGhost(GameState state, int ghost) {
+        return state.tables.distances().between(state.ghosts[NODE + ghost], state.pacManNode);
+    }
+
+    private static void eatGhost(GameState state, int ghost) {
+        int[] ghosts = state.ghosts;
+        state.score += Constants.GHOST_EAT_SCORE * state.ghostMultiplier;
+        state.eatenGhosts++;
+        state.eatenByGhost[ghost]++;
+        state.ghostReward += state.ghostMultiplier;
+        state.timeGhostReward += ghosts[EDIBLE + ghost] * state.ghostMultiplier;
+        state.ghostMultiplier *= 2;
+        ghosts[EDIBLE + ghost] = 0;
+        ghosts[LAIR + ghost] = state.scaledTime(state.rules.lairTime());
+        ghosts[NODE + ghost] = state.graph.lair();
+        ghosts[MOVE + ghost] = NO_MOVE;
+        state.ghostsEaten |= 1 << ghost;
+        if (state.history != null) {
+            state.history.ghostEatTimes.add(state.totalTime);
+            if (!state.has(GameState.EXIT_LAIR_EDIBLE)) {
+                state.history.ghostEaten(
+                        state.rules.activeGhosts(),
+                        state.edibleGhosts() == 0,
+                        state.totalTime - state.timeOfLastPowerPill);
+            }
+        }
+    }
+
+    private static void eatPacMan(GameState state) {
+        state.ghostRegret += state.edibleGhosts();
+        state.lives--;
+        state.pacManEaten = true;
+        if (state.lives <= 0) {
+            state.gameOver = true;
+        } else {
+            state.resetPositions();
+        }
+    }
+
+    private static void endEdibleTime(GameState state, int ghost) {
+        if (state.rules.infiniteEdibleTime()) {
+            state.ghosts[EDIBLE + ghost] = 2;
+            return;
+        }
+        state.ghostRegret++;
+        // The original draws even at rate 0, from the generator that the evolution uses. Without one nobody could tell.
+        double rate = state.rules.powerPillPunishmentRate();
+        if ((state.shared != null || rate > 0) && state.drawsOfTheRun().nextDouble() < rate) {
+            state.gameOver = true;
+        }
+        if (state.history != null && state.edibleGhosts() == 0) {
+            state.history.timesToEatAll.add(GameHistory.NEVER);
+        }
+    }
+
+    /** Step 9: ghosts leave the lair. */
+    static void updateLairTimes(GameState state) {
+        int[] ghosts = state.ghosts;
+        boolean exit = false;
+        for (int ghost = 0; ghost < state.rules.activeGhosts(); ghost++) {
+            if (ghosts[LAIR + ghost] <= 0) {
+                continue;
+            }
+            ghosts[LAIR + ghost]--;
+            boolean due =
+                    ghosts[LAIR + ghost] == 0 || state.levelTime == 0 && state.has(GameState.GHOSTS_START_OUTSIDE_LAIR);
+            if (!due) {
+                continue;
+            }
+            if (state.rules.imprisonedWhileEdible() && state.edibleGhosts() > 0) {
+                ghosts[LAIR + ghost] += state.scaledTime(state.rules.lairTime());
+            } else {
+                exit = true;
+                ghosts = leaveLair(state, ghosts, ghost);
+            }
+        }
+        if (exit && state.has(GameState.SIMULTANEOUS_LAIR_EXIT)) {
+            leaveLairTogether(state);
+        }
+    }
+
+    private static void leaveLairTogether(GameState state) {
+        for (int ghost = 0; ghost < state.rules.activeGhosts(); ghost++) {
+            state.ghosts[LAIR + ghost] = 0;
+            if (state.ghosts[NODE + ghost] == state.graph.lair()) {
+                leaveLair(state, state.ghosts, ghost);
+            }
+        }
+    }
+
+    /**
+     * A ghost leaves the lair, or its leaving starts a level.
+     *
+     * <p>Quirk of the original: when a level starts here, the loop over the ghosts goes on over the old ones, whose exits draw
+     * random numbers but lead nowhere.
+     *
+     * @return the ghosts over which the loop goes on
+     */
+    private static int[] leaveLair(GameState state, int[] ghosts, int ghost) {
+        if (state.levelTime > 0 && state.has(GameState.ONLY_ONE_LAIR_EXIT)) {
+            int[] old = ghosts.clone();
+            return state.newLevel() ? old : ghosts;
+        }
+        ghosts[NODE + ghost] = exitNode(state, ghost);
+        if (state.has(GameState.EXIT_LAIR_EDIBLE)) {
+            ghosts[EDIBLE + ghost] = state.newEdibleTime();
+        }
+        return ghosts;
+    }
+
+    private static int exitNode(GameState state, int ghost) {
+        if (state.has(GameState.RANDOM_LAIR_EXIT)) {
+            return state.graph.junctionNode(state.drawsOfTheRun().nextInt(state.graph.junctionCount()));
+        }
+        if (state.has(GameState.LAIR_EXIT_DATABASE)) {
+            int situation = state.drawsOfTheRun().nextInt(GhostLocations.SITUATIONS);
+            return state.rules
+                    .ghostLocations()
+                    .node(state.mazeIndex, state.rules.startingPowerPill(), situation, ghost);
+        }
+        return state.graph.ghostStart();
+    }
+
+    /** Step 10: one more life, once per game. */
+    static void updateExtraLife(GameState state) {
+        if (state.rules.extraLife() && !state.extraLifeReceived && state.score >= Constants.EXTRA_LIFE_SCORE) {
+            state.extraLifeReceived = true;
+            state.lives++;
+        }
+    }
+
+    /** Step 12: the end of the game by its clock, and of the level. */
+    static void endLevelOrGame(GameState state) {
+        if (state.totalTime + 1 > Constants.MAX_TIME) {
+            state.gameOver = true;
+            state.score += state.lives * Constants.AWARD_LIFE_LEFT;
+            if (state.rules.conventions() == Conventions.COMPETITION) {
+                return;
+            }
+        }
+        boolean outOfTime = !state.rules.fatalTimeLimit() && state.levelTime >= state.rules.levelTimeLimit();
+        if (outOfTime || isCleared(state)) {
+            state.newLevel();
+        }
+    }
+
+    private static boolean isCleared(GameState state) {
+        if (state.powerPills != 0 || state.has(GameState.END_ONLY_ON_TIME_LIMIT)) {
+            return false;
+        }
+        if (state.has(GameState.END_AFTER_POWER_PILLS_EATEN)) {
+            return true;
+        }
+        boolean chances = state.has(GameState.END_AFTER_GHOST_EATING_CHANCES);
+        if (state.pillsLeft > 0 && !chances) {
+            return false;
+        }
+        return !(chances || state.has(GameState.WITHOUT_PILLS)) || state.edibleGhosts() == 0;
+    }
+}

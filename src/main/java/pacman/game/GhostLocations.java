@@ -1,0 +1,91 @@
+package pacman.game;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.Reader;
+import java.util.Arrays;
+
+/**
+ * Recorded places of the four ghosts at moments when a power pill was eaten: where they appear in the ghost-eating game of
+ * the isolated task. Immutable.
+ *
+ * <p>The text has one situation per line, six whitespace-separated integers: maze, power pill, and the nodes of Blinky, Pinky,
+ * Inky and Sue. The first {@value #SITUATIONS} lines of each maze and power pill count.
+ *
+ * <p>Source: spec/simulator.md, section 7 (database file).
+ */
+public final class GhostLocations {
+
+    /** Situations kept per maze and power pill. */
+    public static final int SITUATIONS = 100;
+
+    private static final int POWER_PILLS = 4;
+
+    /** Nodes, index ((maze 4 + power pill) 100 + situation) 4 + ghost. */
+    private final short[] nodes;
+
+    private GhostLocations(short[] nodes) {
+        this.nodes = nodes;
+    }
+
+    /**
+     * Reads a recording.
+     *
+     * @param source name for error messages
+     * @throws IllegalArgumentException if a line is not understood or a power pill has too few situations
+     */
+    public static GhostLocations read(String source, Reader text) throws IOException {
+        short[] nodes = new short[Constants.NUM_MAZES * POWER_PILLS * SITUATIONS * Constants.NUM_GHOSTS];
+        int[] counts = new int[Constants.NUM_MAZES * POWER_PILLS];
+        BufferedReader lines = new BufferedReader(text);
+        int number = 0;
+        for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+            number++;
+            if (!line.isBlank()) {
+                add(parse(line, source + ":" + number), counts, nodes);
+            }
+        }
+        for (int key = 0; key < counts.length; key++) {
+            if (counts[key] < SITUATIONS) {
+                throw new IllegalArgumentException(source + ": maze " + key / POWER_PILLS + ", power pill "
+                        + key % POWER_PILLS + " has " + counts[key] + " situations, " + SITUATIONS + " are needed");
+            }
+        }
+        return new GhostLocations(nodes);
+    }
+
+    private static int[] parse(String line, String where) {
+        try {
+            int[] fields = Arrays.stream(line.trim().split("\\s+"))
+                    .mapToInt(Integer::parseInt)
+                    .toArray();
+            if (fields.length == 2 + Constants.NUM_GHOSTS
+                    && fields[0] >= 0
+                    && fields[0] < Constants.NUM_MAZES
+                    && fields[1] >= 0
+                    && fields[1] < POWER_PILLS) {
+                return fields;
+            }
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(where + ": not a number: " + line.trim(), e);
+        }
+        throw new IllegalArgumentException(
+                where + ": expected six integers: maze 0 to 3, power pill 0 to 3 and four nodes");
+    }
+
+    private static void add(int[] fields, int[] counts, short[] nodes) {
+        int key = fields[0] * POWER_PILLS + fields[1];
+        if (counts[key] == SITUATIONS) {
+            return;
+        }
+        for (int ghost = 0; ghost < Constants.NUM_GHOSTS; ghost++) {
+            nodes[(key * SITUATIONS + counts[key]) * Constants.NUM_GHOSTS + ghost] = (short) fields[2 + ghost];
+        }
+        counts[key]++;
+    }
+
+    /** Node of a ghost in one of the {@value #SITUATIONS} situations of a maze and a power pill. */
+    int node(int maze, int powerPill, int situation, int ghost) {
+        return nodes[((maze * POWER_PILLS + powerPill) * SITUATIONS + situation) * Constants.NUM_GHOSTS + ghost];
+    }
+}

@@ -1,0 +1,153 @@
+package pacman.game;
+
+import pacman.game.Constants.DM;
+import pacman.game.Constants.MOVE;
+import pacman.game.GameRules.Conventions;
+import pacman.game.internal.MazeGraph;
+import pacman.game.internal.MazeTables;
+
+/**
+ * Questions about distances, moves and nearest nodes of a maze.
+ *
+ * <p>Move queries compare the neighbours of a node in the order up, right, down, left; the first strictly better one wins.
+ *
+ * <p>Source: spec/simulator.md, sections 4.1 and 4.2.
+ */
+final class MoveQueries {
+
+    private static final MOVE[] MOVES = MOVE.values();
+
+    private MoveQueries() {}
+
+    static int pathDistance(MazeTables tables, int from, int to) {
+        if ((from | to) < 0) {
+            return distanceToMissing(Math.max(from, to));
+        }
+        return tables.distances().between(from, to);
+    }
+
+    // Quirk of the original: node -1 reads the table cell before the other node's row, which is always 0.
+    private static int distanceToMissing(int other) {
+        if (other <= 0) {
+            throw new ArrayIndexOutOfBoundsException(-1);
+        }
+        return 0;
+    }
+
+    static double euclideanDistance(MazeGraph graph, int from, int to) {
+        int dx = graph.x(from) - graph.x(to);
+        int dy = graph.y(from) - graph.y(to);
+        return Math.sqrt((double) (dx * dx + dy * dy));
+    }
+
+    static int manhattanDistance(MazeGraph graph, int from, int to) {
+        return Math.abs(graph.x(from) - graph.x(to)) + Math.abs(graph.y(from) - graph.y(to));
+    }
+
+    static double distance(MazeTables tables, int from, int to, DM metric) {
+        switch (metric) {
+            case PATH:
+                return pathDistance(tables, from, to);
+            case EUCLID:
+                return euclideanDistance(tables.graph(), from, to);
+            default:
+                return manhattanDistance(tables.graph(), from, to);
+        }
+    }
+
+    /** Distance for something that must not turn back; only path distance minds. */
+    static double distance(MazeTables tables, int from, int to, int lastMove, DM metric) {
+        return metric == DM.PATH
+                ? tables.paths().directedLength(from, to, lastMove)
+                : distance(tables, from, to, metric);
+    }
+
+    static MOVE nextMove(MazeTables tables, int from, int to, DM metric, boolean towards) {
+        return nextMove(tables, from, to, GameState.NO_MOVE, metric, towards);
+    }
+
+    /** By plain distances from the neighbours that do not turn back. */
+    static MOVE nextMove(MazeTables tables, int from, int to, int lastMove, DM metric, boolean towards) {
+        MazeGraph graph = tables.graph();
+        int back = back(graph, from, lastMove);
+        MOVE best = null;
+        double bestDistance = 0;
+        for (int direction = 0; direction < 4; direction++) {
+            int next = graph.neighbour(from, direction);
+            if (next < 0 || direction == back) {
+                continue;
+            }
+            double distance = distance(tables, next, to, metric);
+            if (best == null || (towards ? distance < bestDistance : distance > bestDistance)) {
+                best = MOVES[direction];
+                bestDistance = distance;
+            }
+        }
+        return best;
+    }
+
+    /** By distances from the neighbours that do not turn back, for something that must not turn back later either. */
+    static MOVE nextMoveDirected(
+            MazeTables tables, int from, int to, int lastMove, DM metric, boolean towards, Conventions conventions) {
+        MazeGraph graph = tables.graph();
+        int back = back(graph, from, lastMove);
+        // Quirk of MM-NEAT: "towards" goes on from the move just made, "away" from the caller's last move.
+        boolean followsMove = towards && conventions == Conventions.MM_NEAT;
+        MOVE best = null;
+        double bestDistance = 0;
+        for (int direction = 0; direction < 4; direction++) {
+            int next = graph.neighbour(from, direction);
+            if (next < 0 || direction == back) {
+                continue;
+            }
+            double distance = distance(tables, next, to, followsMove ? direction : lastMove, metric);
+            if (best == null || (towards ? distance < bestDistance : distance > bestDistance)) {
+                best = MOVES[direction];
+                bestDistance = distance;
+            }
+        }
+        return best;
+    }
+
+    private static int back(MazeGraph graph, int node, int lastMove) {
+        if (lastMove == GameState.NO_MOVE) {
+            return -1;
+        }
+        int back = lastMove ^ 2;
+        if (graph.neighbour(node, back) < 0) {
+            throw new NullPointerException("nothing comes to node " + node + " by moving " + MOVES[lastMove]
+                    + ": no neighbour on the other side");
+        }
+        return back;
+    }
+
+    static int closest(MazeTables tables, int from, int[] targets, DM metric, Conventions conventions) {
+        boolean skipsMissing = conventions == Conventions.MM_NEAT;
+        int best = -1;
+        double bestDistance = Integer.MAX_VALUE;
+        for (int target : targets) {
+            if (skipsMissing && target == -1) {
+                continue;
+            }
+            double distance = distance(tables, from, target, metric);
+            if (distance < bestDistance) {
+                bestDistance = distance;
+                best = target;
+            }
+        }
+        return best;
+    }
+
+    static int farthest(MazeTables tables, int from, int[] targets, DM metric) {
+        int best = -1;
+        double bestDistance = Integer.MIN_VALUE;
+        for (int target : targets) {
+            double distance = distance(tables, from, target, metric);
+            if (distance > bestDistance) {
+                bestDistance = distance;
+                best = target;
+            }
+        }
+        return best;
+    }
+}

@@ -1,0 +1,210 @@
+package pacman.game;
+
+import static pacman.game.GameState.EDIBLE;
+import static pacman.game.GameState.GHOSTS;
+import static pacman.game.GameState.LAIR;
+import static pacman.game.GameState.NODE;
+
+import java.util.Arrays;
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.MOVE;
+import pacman.game.GameRules.Conventions;
+
+/**
+ * The state string: fields joined by commas. The competition's has {@value #SHORT} fields; MM-NEAT's {@value #LONG} add
+ * generator, counters and switches in front. Both are read, whatever the game's conventions.
+ *
+ * <p>Source: spec/simulator.md, section 5.
+ */
+final class StateText {
+
+    private static final int SHORT = 35;
+    private static final int LONG = 56;
+    private static final MOVE[] MOVES = MOVE.values();
+
+    /** Next field to read. */
+    private final String[] fields;
+
+    private int next;
+
+    private StateText(String[] fields) {
+        this.fields = fields;
+    }
+
+    static String write(GameState state) {
+        boolean isLong = state.rules.conventions() == Conventions.MM_NEAT;
+        StringBuilder text = new StringBuilder(700);
+        if (isLong) {
+            writeCounters(state, text);
+        }
+        append(text, state.mazeIndex, state.totalTime, state.score, state.levelTime, state.level);
+        if (isLong) {
+            append(text, state.timesLevel);
+        }
+        append(text, state.pacManNode, MOVES[state.pacManMove], state.lives, state.extraLifeReceived);
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            append(
+                    text,
+                    state.ghosts[NODE + ghost],
+                    state.ghosts[EDIBLE + ghost],
+                    state.ghosts[LAIR + ghost],
+                    MOVES[state.ghosts[GameState.MOVE + ghost]]);
+        }
+        // The maze of the pills, which after the last level is not the one that the index names.
+        for (int pill = 0; pill < state.graph.pillCount(); pill++) {
+            text.append(pill >> 6 < state.pills.length && state.hasPill(pill) ? '1' : '0');
+        }
+        text.append(',');
+        for (int powerPill = 0; powerPill < state.graph.powerPillCount(); powerPill++) {
+            text.append(state.powerPills >>> powerPill & 1);
+        }
+        text.append(',');
+        append(text, state.timeOfLastReversal, state.pacManEaten);
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            append(text, (state.ghostsEaten >>> ghost & 1) != 0);
+        }
+        append(text, state.pillEaten, state.powerPillEaten);
+        text.setLength(text.length() - 1);
+        return text.toString();
+    }
+
+    private static void writeCounters(GameState state, StringBuilder text) {
+        append(text, state.random.bits());
+        for (int eaten : state.eatenByGhost) {
+            append(text, eaten);
+        }
+        append(
+                text,
+                state.lureDistance,
+                state.timeInDeadSpace,
+                state.powerPillsEatenWhenGhostFar,
+                state.improperlyEatenPowerPills,
+                state.properlyEatenPowerPills,
+                state.timePillReward,
+                state.timeGhostReward,
+                state.ghostReward,
+                state.ghostRegret,
+                state.eatenGhosts,
+                state.eatenPills,
+                state.has(GameState.WITHOUT_PILLS),
+                state.has(GameState.WITHOUT_POWER_PILLS),
+                state.has(GameState.END_AFTER_GHOST_EATING_CHANCES),
+                state.has(GameState.END_AFTER_POWER_PILLS_EATEN));
+    }
+
+    private static void append(StringBuilder text, Object... values) {
+        for (Object value : values) {
+            text.append(value).append(',');
+        }
+    }
+
+    /** Sets what the string holds; everything else stays as it is. */
+    static void read(GameState state, String text) {
+        String[] fields = text.trim().split(",", -1);
+        if (fields.length != SHORT && fields.length != LONG) {
+            throw new IllegalArgumentException("a game state has " + LONG + " fields, or " + SHORT
+                    + " in the competition's form, this one has " + fields.length + ": " + text);
+        }
+        try {
+            new StateText(fields).read(state);
+        } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+            throw new IllegalArgumentException("not a game state (" + e.getMessage() + "): " + text, e);
+        }
+    }
+
+    private void read(GameState state) {
+        boolean isLong = fields.length == LONG;
+        if (isLong) {
+            readCounters(state);
+        }
+        state.mazeIndex = nextInt();
+        state.enterMaze();
+        state.totalTime = nextInt();
+        state.score = nextInt();
+        state.levelTime = nextInt();
+        state.level = nextInt();
+        state.timesLevel = isLong ? nextInt() : state.level;
+        state.pacManNode = nextInt();
+        state.pacManMove = nextMove();
+        state.lives = nextInt();
+        state.extraLifeReceived = nextBoolean();
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            state.ghosts[NODE + ghost] = nextInt();
+            state.ghosts[EDIBLE + ghost] = nextInt();
+            state.ghosts[LAIR + ghost] = nextInt();
+            state.ghosts[GameState.MOVE + ghost] = nextMove();
+        }
+        readPills(state, fields[next++], fields[next++]);
+        state.timeOfLastReversal = nextInt();
+        state.pacManEaten = nextBoolean();
+        state.ghostsEaten = 0;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            state.ghostsEaten |= nextBoolean() ? 1 << ghost : 0;
+        }
+        state.pillEaten = nextBoolean();
+        state.powerPillEaten = nextBoolean();
+    }
+
+    private void readCounters(GameState state) {
+        state.random.setState(new ResumableRandom.State(Long.parseLong(fields[next++]), false, 0));
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            state.eatenByGhost[ghost] = nextInt();
+        }
+        state.lureDistance = Double.parseDouble(fields[next++]);
+        state.timeInDeadSpace = Long.parseLong(fields[next++]);
+        state.powerPillsEatenWhenGhostFar = nextInt();
+        state.improperlyEatenPowerPills = nextInt();
+        state.properlyEatenPowerPills = nextInt();
+        state.timePillReward = nextInt();
+        state.timeGhostReward = nextInt();
+        state.ghostReward = nextInt();
+        state.ghostRegret = nextInt();
+        state.eatenGhosts = nextInt();
+        state.eatenPills = nextInt();
+        state.set(GameState.WITHOUT_PILLS, nextBoolean());
+        state.set(GameState.WITHOUT_POWER_PILLS, nextBoolean());
+        state.set(GameState.END_AFTER_GHOST_EATING_CHANCES, nextBoolean());
+        state.set(GameState.END_AFTER_POWER_PILLS_EATEN, nextBoolean());
+    }
+
+    private static void readPills(GameState state, String pills, String powerPills) {
+        // As in the original all pills are set first, which draws random numbers under preEatenPillPortion.
+        state.fillPills();
+        state.fillPowerPills();
+        requireLength("pills", pills, state.graph.pillCount());
+        requireLength("power pills", powerPills, state.graph.powerPillCount());
+        Arrays.fill(state.pills, 0);
+        state.pillsLeft = 0;
+        for (int pill = 0; pill < pills.length(); pill++) {
+            if (pills.charAt(pill) == '1') {
+                state.pills[pill >> 6] |= 1L << pill;
+                state.pillsLeft++;
+            }
+        }
+        state.powerPills = 0;
+        for (int powerPill = 0; powerPill < powerPills.length(); powerPill++) {
+            if (powerPills.charAt(powerPill) == '1') {
+                state.powerPills |= 1L << powerPill;
+            }
+        }
+    }
+
+    private static void requireLength(String what, String bits, int count) {
+        if (bits.length() != count) {
+            throw new IllegalArgumentException(
+                    "the maze has " + count + " " + what + ", the state string " + bits.length());
+        }
+    }
+
+    private int nextInt() {
+        return Integer.parseInt(fields[next++]);
+    }
+
+    private boolean nextBoolean() {
+        return Boolean.parseBoolean(fields[next++]);
+    }
+
+    private int nextMove() {
+        return MOVE.valueOf(fields[next++]).ordinal();
+    }
+}

@@ -1,0 +1,119 @@
+package pacman.game.internal;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * A maze and everything that is known about it in advance. Immutable, shared by any number of games and threads; the larger
+ * tables are made when they are first asked for.
+ */
+public final class MazeTables {
+
+    private final MazeGraph graph;
+
+    /*
+     * Each is made once under the lock. The objects are immutable with final fields, or written before they are published
+     * through the volatile field.
+     */
+    private volatile MazeDistances distances;
+    private volatile MazePaths paths;
+    private volatile NodeMoves moves;
+    private volatile Maze maze;
+
+    private MazeTables(MazeGraph graph) {
+        this.graph = graph;
+    }
+
+    /**
+     * Reads a drawing from a file.
+     *
+     * @throws MazeFormatException if the drawing cannot be played
+     * @throws IOException if the file cannot be read
+     */
+    public static MazeTables read(Path file) throws IOException {
+        return parse(file.toString(), Files.readString(file));
+    }
+
+    /**
+     * Reads a drawing from a text.
+     *
+     * @param file name for error messages, and of the maze
+     * @throws MazeFormatException if the drawing cannot be played
+     */
+    public static MazeTables parse(String file, String drawing) {
+        return new MazeTables(new MazeGraph(file, new MazeDrawing(file, drawing)));
+    }
+
+    static MazeTables standard(String letter) {
+        String file = "mazes/" + letter + ".txt";
+        try (InputStream in = MazeTables.class.getResourceAsStream("/" + file)) {
+            if (in == null) {
+                throw new IllegalStateException("the maze drawing " + file + " is missing from the jar");
+            }
+            String drawing = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+            return new MazeTables(new MazeGraph(letter, new MazeDrawing(file, drawing)));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    public MazeGraph graph() {
+        return graph;
+    }
+
+    /** Distances between all nodes. */
+    public MazeDistances distances() {
+        MazeDistances known = distances;
+        return known != null ? known : makeDistances();
+    }
+
+    private synchronized MazeDistances makeDistances() {
+        if (distances == null) {
+            distances = new MazeDistances(graph);
+        }
+        return distances;
+    }
+
+    /** The simulator's paths. */
+    public MazePaths paths() {
+        MazePaths known = paths;
+        return known != null ? known : makePaths();
+    }
+
+    private synchronized MazePaths makePaths() {
+        if (paths == null) {
+            paths = new MazePaths(graph, distances(), new Corridors(graph));
+        }
+        return paths;
+    }
+
+    /** Open directions of each node. */
+    public NodeMoves moves() {
+        NodeMoves known = moves;
+        return known != null ? known : makeMoves();
+    }
+
+    private synchronized NodeMoves makeMoves() {
+        if (moves == null) {
+            moves = new NodeMoves(graph);
+        }
+        return moves;
+    }
+
+    /** The maze as competition entries see it. */
+    public Maze maze() {
+        Maze known = maze;
+        return known != null ? known : makeMaze();
+    }
+
+    private synchronized Maze makeMaze() {
+        if (maze == null) {
+            maze = new Maze(this);
+        }
+        return maze;
+    }
+}

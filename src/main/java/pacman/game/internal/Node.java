@@ -1,0 +1,73 @@
+package pacman.game.internal;
+
+import java.util.EnumMap;
+import pacman.game.Constants.MOVE;
+
+/**
+ * A node of the maze graph, as competition entries see it.
+ *
+ * <p>The tables by last move have an entry for NEUTRAL, which holds all neighbours, and one for each last move whose
+ * opposite leads to a neighbour, which holds all but that one. Everything is in the order up, right, down, left. They are
+ * shared by all games: do not modify them.
+ *
+ * <p>Source: spec/simulator.md, section 1.4.
+ */
+public final class Node {
+
+    private static final MOVE[] MOVES = MOVE.values();
+
+    /** Position in pixels. */
+    public final int x;
+
+    public final int y;
+    public final int nodeIndex;
+    /** Number of the pill on this node, -1 if none. */
+    public final int pillIndex;
+    /** Number of the power pill on this node, -1 if none. */
+    public final int powerPillIndex;
+
+    public final int numNeighbouringNodes;
+    /** Neighbours by direction; closed directions are absent. */
+    public final EnumMap<MOVE, Integer> neighbourhood = new EnumMap<>(MOVE.class);
+    /** Directions that do not turn back, by last move. */
+    public EnumMap<MOVE, MOVE[]> allPossibleMoves = new EnumMap<>(MOVE.class);
+    /** Neighbours that do not turn back, by last move. */
+    public EnumMap<MOVE, int[]> allNeighbouringNodes = new EnumMap<>(MOVE.class);
+    /** The same by direction. */
+    public EnumMap<MOVE, EnumMap<MOVE, Integer>> allNeighbourhoods = new EnumMap<>(MOVE.class);
+
+    /**
+     * A node.
+     *
+     * @param neighbourhood neighbours up, right, down and left, -1 if there is none
+     */
+    public Node(int nodeIndex, int x, int y, int pillIndex, int powerPillIndex, int[] neighbourhood) {
+        this.nodeIndex = nodeIndex;
+        this.x = x;
+        this.y = y;
+        this.pillIndex = pillIndex;
+        this.powerPillIndex = powerPillIndex;
+        for (int direction = 0; direction < neighbourhood.length; direction++) {
+            if (neighbourhood[direction] != -1) {
+                this.neighbourhood.put(MOVES[direction], neighbourhood[direction]);
+            }
+        }
+        numNeighbouringNodes = this.neighbourhood.size();
+        for (MOVE lastMove : MOVES) {
+            if (lastMove == MOVE.NEUTRAL || this.neighbourhood.containsKey(lastMove.opposite())) {
+                addTables(lastMove);
+            }
+        }
+    }
+
+    private void addTables(MOVE lastMove) {
+        EnumMap<MOVE, Integer> ways = new EnumMap<>(neighbourhood);
+        if (lastMove != MOVE.NEUTRAL) {
+            ways.remove(lastMove.opposite());
+        }
+        allNeighbourhoods.put(lastMove, ways);
+        allPossibleMoves.put(lastMove, ways.keySet().toArray(new MOVE[0]));
+        allNeighbouringNodes.put(
+                lastMove, ways.values().stream().mapToInt(Integer::intValue).toArray());
+    }
+}

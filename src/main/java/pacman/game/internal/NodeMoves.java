@@ -1,0 +1,54 @@
+package pacman.game.internal;
+
+import java.util.Arrays;
+import pacman.game.Constants.MOVE;
+
+/**
+ * Directions and neighbours of each node as arrays of their own, for entries that ask for them at every step. They are
+ * shared by all games: do not modify them.
+ *
+ * <p>Source: spec/simulator.md, section 1.4.
+ */
+public final class NodeMoves {
+
+    private static final MOVE[] MOVES = MOVE.values();
+
+    /** Directions by node and last move, index 5 node + last move; null if nothing comes to the node by that move. */
+    private final MOVE[][] moves;
+    /** Neighbours likewise. */
+    private final int[][] neighbours;
+
+    NodeMoves(MazeGraph graph) {
+        moves = new MOVE[5 * graph.nodeCount()][];
+        neighbours = new int[5 * graph.nodeCount()][];
+        MOVE[] open = new MOVE[4];
+        int[] next = new int[4];
+        for (int node = 0; node < graph.nodeCount(); node++) {
+            for (int lastMove = 0; lastMove <= 4; lastMove++) {
+                int back = lastMove < 4 ? lastMove ^ 2 : -1;
+                if (back >= 0 && graph.neighbour(node, back) < 0) {
+                    continue;
+                }
+                int count = 0;
+                for (int direction = 0; direction < 4; direction++) {
+                    if (direction != back && graph.neighbour(node, direction) >= 0) {
+                        open[count] = MOVES[direction];
+                        next[count++] = graph.neighbour(node, direction);
+                    }
+                }
+                moves[5 * node + lastMove] = Arrays.copyOf(open, count);
+                neighbours[5 * node + lastMove] = Arrays.copyOf(next, count);
+            }
+        }
+    }
+
+    /** Directions that do not turn back; null if nothing comes to the node by that move. */
+    public MOVE[] moves(int node, MOVE lastMove) {
+        return lastMove == null ? null : moves[5 * node + lastMove.ordinal()];
+    }
+
+    /** The neighbours in those directions. */
+    public int[] neighbours(int node, MOVE lastMove) {
+        return lastMove == null ? null : neighbours[5 * node + lastMove.ordinal()];
+    }
+}

@@ -1,0 +1,55 @@
+package pacman.game.internal;
+
+import java.util.HashMap;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * Paths of one of the four mazes, as competition entries ask for them without a game. The paths themselves are made when the
+ * first is asked for, and shared with all games.
+ *
+ * <p>Source: spec/simulator.md, sections 1.4 and 4.4.
+ */
+public class PathsCache {
+
+    /** Number of a junction by its node. */
+    public HashMap<Integer, Integer> junctionIndexConverter = new HashMap<>();
+
+    public DNode[] nodes;
+    public Junction[] junctions;
+    /** A game in the maze. */
+    public Game game;
+
+    private final MazeTables tables;
+
+    /** The paths of a maze, 0 to 3. */
+    public PathsCache(int mazeIndex) {
+        tables = Mazes.standard().get(mazeIndex);
+        MazeGraph graph = tables.graph();
+        nodes = new DNode[graph.nodeCount()];
+        for (int node = 0; node < nodes.length; node++) {
+            nodes[node] = new DNode(node, graph.isJunction(node));
+        }
+        junctions = new Junction[graph.junctionCount()];
+        for (int junction = 0; junction < junctions.length; junction++) {
+            junctions[junction] = new Junction(graph.junctionNode(junction), junction);
+            junctionIndexConverter.put(graph.junctionNode(junction), junction);
+        }
+        game = new Game(0, mazeIndex);
+    }
+
+    /** {@link Game#getShortestPath(int, int)}. */
+    public int[] getPathFromA2B(int a, int b) {
+        return tables.paths().undirectedPath(a, b);
+    }
+
+    /** {@link Game#getShortestPathDistance(int, int, MOVE)}. */
+    public int getPathDistanceFromA2B(int a, int b, MOVE lastMoveMade) {
+        return tables.paths().directedLength(a, b, lastMoveMade.ordinal());
+    }
+
+    /** {@link Game#getShortestPath(int, int, MOVE)}. */
+    public int[] getPathFromA2B(int a, int b, MOVE lastMoveMade) {
+        return tables.paths().directedPath(a, b, lastMoveMade.ordinal());
+    }
+}
