@@ -20,6 +20,8 @@ public final class ParameterReader {
     /** The original's saved files: a name, a colon and, without any escapes, the value. */
     private static final Pattern ORIGINAL_LINE = Pattern.compile("\\w+:[^=]*");
 
+    private static final List<String> WHICH_RUNS = List.of("runs", "run", "runNumber", "randomSeed");
+
     private final ParameterCatalogue catalogue;
 
     public ParameterReader(ParameterCatalogue catalogue) {
@@ -37,6 +39,10 @@ public final class ParameterReader {
         Map<String, String> commandLine = commandLine(words, remarks);
         Map<String, String> file = commandLine.containsKey("config") ? file(commandLine.get("config")) : Map.of();
         Map<String, String> asked = new LinkedHashMap<>(file);
+        if (WHICH_RUNS.stream().anyMatch(commandLine::containsKey)) {
+            // The file may be of one run (parameters.properties); whoever asks for others means what it says besides.
+            asked.keySet().removeAll(WHICH_RUNS);
+        }
         asked.putAll(commandLine);
         Parameters parameters = Parameters.defaults(catalogue)
                 .with(preset(asked.getOrDefault("task", ""), asked.get("method")))

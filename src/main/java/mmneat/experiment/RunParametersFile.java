@@ -1,0 +1,96 @@
+package mmneat.experiment;
+
+import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
+import com.fasterxml.jackson.dataformat.javaprop.JavaPropsSchema;
+import java.io.IOException;
+import java.io.Reader;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * {@code parameters.properties} in a run's folder: everything that is needed to make the run again, readable as
+ * {@code config=FILE}.
+ */
+final class RunParametersFile {
+
+    /** What somebody asks for, but no property of the run. */
+    private static final Set<String> NOT_OF_THE_RUN = Set.of("runs", "run", "config", "quiet", "threads");
+
+    /** What may differ when a run is continued: where things are, and how far it goes. */
+    private static final Set<String> MAY_CHANGE =
+            Set.of("base", "saveTo", "jar", "mazePowerPillGhostMapping", "maxGens", "method");
+
+    private static final Set<String> FOLLOW_FROM_OTHERS = Set.of("method", "jar");
+
+    private final Path file;
+
+    RunParametersFile(Path directory) {
+        file = directory.resolve("parameters.properties");
+    }
+
+    boolean exists() {
+        return Files.exists(file);
+    }
+
+    void write(RunPlan run) throws IOException {
+        StringWriter text = new StringWriter();
+        text.write("# All parameters of this run. To make it again: config=<this file>\n");
+        try (var writer = new JavaPropsMapper()
+                .writer(JavaPropsSchema.emptySchema().withoutPathSeparator())
+                .writeValues(text)) {
+            writer.write(values(run));
+        }
+        DurableFiles.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /**
+     * Makes sure that the run was begun with the same parameters.
+     *
+     * @throws UserError if not, naming those that differ
+     */
+    void requireSame(RunPlan run) throws IOException {
+        Map<String, String> saved;
+        try (Reader reader = Files.newBufferedReader(file)) {
+            saved = PublishedConfigurations.read(reader);
+        }
+        List<String> differing = new ArrayList<>();
+        values(run).forEach((name, value) -> {
+            String before = saved.get(name);
+            if (before != null && !before.equals(value) && !MAY_CHANGE.contains(name)) {
+                differing.add(name + "=" + before + " (now " + value + ")");
+            }
+        });
+        if (!differing.isEmpty()) {
+            throw new UserError(run.directory() + " was begun with " + String.join(", ", differing)
+                    + "; give the same to continue it, or another folder with base=FOLDER");
+        }
+    }
+
+    /**
+     * Every value that has an effect. The method's name, which the other values amount to, is left out unless it was given.
+     */
+    private static Map<String, String> values(RunPlan run) {
+        Parameters parameters = run.parameters();
+        Map<String, String> values = new LinkedHashMap<>();
+        for (Parameter parameter : parameters.catalogue().all()) {
+            String name = parameter.name();
+            boolean follows = FOLLOW_FROM_OTHERS.contains(name) && !parameters.isGiven(name);
+            if (parameter.support() == Parameter.Support.YES && !NOT_OF_THE_RUN.contains(name) && !follows) {
+                values.put(name, parameters.text(name));
+            }
+        }
+        TaskKind kind = TaskKind.of(parameters);
+        if (kind != TaskKind.OWN) {
+            values.put("task", kind.label());
+        }
+        parameters.ofOwnTask().forEach((name, value) -> values.put(OwnTask.PREFIX + name, value));
+        return values;
+    }
+}

@@ -1,0 +1,24 @@
+package mmneat.experiment;
+
+import java.nio.file.Path;
+
+/**
+ * One run: it needs nothing but its parameters and its own folder, and shares nothing with other runs.
+ *
+ * @param number number of the run
+ * @param directory its folder, {@code <base>/<saveTo><number>}
+ * @param prefix what the names of its score files and logs start with, {@code <log><number>_}
+ * @param parameters all values, number and seed included
+ */
+public record RunPlan(int number, Path directory, String prefix, Parameters parameters) {
+
+    /** Generations that the run is to complete. */
+    public int generations() {
+        return parameters.integer("maxGens");
+    }
+
+    /** Seed of the run's generator. */
+    public int seed() {
+        return parameters.integer("randomSeed");
+    }
+}
