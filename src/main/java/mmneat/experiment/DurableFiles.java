@@ -1,0 +1,83 @@
+package mmneat.experiment;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+
+/**
+ * Writes files whole or not at all: to a temporary name, forced to disk, renamed. A crash or a full disk at any moment
+ * leaves the old file or the new one.
+ */
+final class DurableFiles {
+
+    /** What a file is called while it is being written; a leftover of a crash is overwritten by the next attempt. */
+    private static final String UNFINISHED = ".unfinished";
+
+    private DurableFiles() {}
+
+    /** Writes a file, replacing it if it exists; its folder is made if it does not exist. */
+    static void write(Path file, byte[] content) throws IOException {
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        Path unfinished = writeUnfinished(file, content);
+        rename(unfinished, file);
+    }
+
+    /** Writes a file as {@link #write} does, and keeps its last content under another name. */
+    static void writeKeepingPrevious(Path file, Path previous, byte[] content) throws IOException {
+        Path unfinished = writeUnfinished(file, content);
+        if (Files.exists(file)) {
+            rename(file, previous);
+        }
+        rename(unfinished, file);
+    }
+
+    /** Cuts a file at the length and adds to it, forced to disk. */
+    static void appendAt(Path file, long length, byte[] content) throws IOException {
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, StandardOpenOption.CREATE)) {
+            channel.truncate(length);
+            channel.position(length);
+            writeFully(channel, content);
+            channel.force(true);
+        }
+    }
+
+    private static Path writeUnfinished(Path file, byte[] content) throws IOException {
+        Path unfinished = file.resolveSibling(file.getFileName() + UNFINISHED);
+        try (FileChannel channel = FileChannel.open(
+                unfinished,
+                StandardOpenOption.WRITE,
+                StandardOpenOption.CREATE,
+                StandardOpenOption.TRUNCATE_EXISTING)) {
+            writeFully(channel, content);
+            channel.force(true);
+        }
+        return unfinished;
+    }
+
+    private static void writeFully(FileChannel channel, byte[] content) throws IOException {
+        ByteBuffer buffer = ByteBuffer.wrap(content);
+        while (buffer.hasRemaining()) {
+            channel.write(buffer);
+        }
+    }
+
+    private static void rename(Path from, Path to) throws IOException {
+        Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        force(to.toAbsolutePath().getParent());
+    }
+
+    /** A rename is on disk when the folder is. Windows does not open folders and writes renames by itself. */
+    private static void force(Path folder) throws IOException {
+        if (File.separatorChar == '/') {
+            try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {
+                channel.force(true);
+            }
+        }
+    }
+}
