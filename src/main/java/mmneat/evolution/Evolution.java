@@ -1,0 +1,132 @@
+package mmneat.evolution;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import mmneat.neat.GenePool;
+import mmneat.neat.Genotype;
+import mmneat.neat.Offspring;
+import mmneat.neat.Reproduction;
+import mmneat.nsga2.Breeding;
+import mmneat.nsga2.Survival;
+import mmneat.random.ResumableRandom;
+
+/**
+ * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II.
+ *
+ * <p>Parents are evaluated anew in every generation: a score is never carried over, so the scheme is elitist only with respect to
+ * the current generation's noisy scores. After the last generation the final parents are evaluated once more.
+ *
+ * <p>Source: Schrum and Miikkulainen 2016, section 5.2; spec/evolution.md, section 1.
+ */
+public final class Evolution {
+
+    private final EvolutionSettings settings;
+    private final Evaluator evaluator;
+    private final EvolutionObserver observer;
+
+    private final GenePool pool;
+    private final ResumableRandom random;
+    private final Breeding<Genotype, Offspring> breeding;
+    private List<Genotype> population;
+    private int generation;
+
+    /** An evolution that continues from a state; a new one begins in {@link EvolutionState#initial}. */
+    public Evolution(
+            EvolutionSettings settings, EvolutionState state, Evaluator evaluator, EvolutionObserver observer) {
+        this.settings = settings;
+        this.evaluator = evaluator;
+        this.observer = observer;
+        pool = GenePool.resume(state.pool());
+        random = ResumableRandom.resume(state.random());
+        breeding = new Variation(new Reproduction(settings.variation(), pool));
+        population = state.population();
+        generation = state.generation();
+    }
+
+    /**
+     * Evolves to the end.
+     *
+     * @throws java.util.concurrent.CancellationException if the thread is interrupted; the observer has seen the last complete
+     *     generation
+     */
+    public void run() {
+        while (generation < settings.generations()) {
+            runGeneration();
+        }
+        List<Individual> finalParents = evaluate(population, 0, population.size());
+        observer.completed(new Generation(
+                generation, finalParents, List.of(), List.of(), pool.archetype().size()));
+    }
+
+    private void runGeneration() {
+        int total = 2 * settings.populationSize();
+        List<Individual> parents = evaluate(population, 0, total);
+        List<Offspring> offspring = reproduce(parents);
+        List<Individual> children =
+                evaluate(offspring.stream().map(Offspring::genotype).toList(), parents.size(), total);
+        // The archetype's size is recorded before cleaning: it includes the neurons of children that will not survive.
+        Generation completed = new Generation(
+                generation, parents, offspring, children, pool.archetype().size());
+
+        population = survivors(parents, children);
+        generation++;
+        if (generation % settings.cleanFrequency() == 0) {
+            pool.archetype().clean(population);
+        }
+        observer.generationCompleted(completed, state());
+    }
+
+    private List<Individual> evaluate(List<Genotype> genotypes, int firstIndex, int total) {
+        int[] done = {firstIndex};
+        return evaluator.evaluate(
+                genotypes,
+                generation,
+                firstIndex,
+                random,
+                individual -> observer.evaluated(generation, ++done[0], total, individual));
+    }
+
+    private List<Offspring> reproduce(List<Individual> parents) {
+        return settings.mating()
+                .children(
+                        parents.stream().map(Individual::genotype).toList(),
+                        objectives(parents),
+                        generation == 0,
+                        settings.populationSize(),
+                        breeding,
+                        random);
+    }
+
+    private List<Genotype> survivors(List<Individual> parents, List<Individual> children) {
+        List<Individual> all =
+                Stream.concat(parents.stream(), children.stream()).toList();
+        int[] survivors = Survival.survivors(
+                objectives(all), settings.populationSize(), settings.mating().crowding());
+        return Arrays.stream(survivors).mapToObj(i -> all.get(i).genotype()).toList();
+    }
+
+    private static double[][] objectives(List<Individual> individuals) {
+        return individuals.stream()
+                .map(individual -> individual.evaluation().objectives())
+                .toArray(double[][]::new);
+    }
+
+    private EvolutionState state() {
+        return new EvolutionState(generation, population, pool.state(), random.state());
+    }
+
+    /** NEAT's variation as NSGA-II asks for it. */
+    private record Variation(Reproduction reproduction) implements Breeding<Genotype, Offspring> {
+
+        @Override
+        public Offspring fromOne(Genotype parent, ResumableRandom random) {
+            return reproduction.fromOne(parent, random);
+        }
+
+        @Override
+        public List<Offspring> fromTwo(Genotype parent, Genotype mate, int room, ResumableRandom random) {
+            return reproduction.fromTwo(parent, mate, room, random);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package mmneat.evolution;
+
+import java.util.Objects;
+import java.util.OptionalInt;
+import mmneat.neat.InitialNetworks;
+import mmneat.neat.VariationSettings;
+import mmneat.nsga2.Mating;
+
+/**
+ * What decides an evolution besides its task. The names in brackets are the parameters.
+ *
+ * <p>Source: spec/evolution.md, sections 1 to 3.
+ *
+ * @param seed of the generator that serves everything ({@code randomSeed})
+ * @param initialPopulationSeed of the initial population alone, if it is to differ ({@code initialPopulationSeed})
+ * @param populationSize parents, and as many children ({@code mu})
+ * @param generations how many times children are made ({@code maxGens})
+ * @param cleanFrequency generations between cleanings of the archetype ({@code cleanFrequency})
+ * @param initialNetworks the networks that evolution starts from
+ * @param mating how parents are chosen, and how survivors' crowding is measured
+ * @param variation how offspring differ from their parents
+ */
+public record EvolutionSettings(
+        long seed,
+        OptionalInt initialPopulationSeed,
+        int populationSize,
+        int generations,
+        int cleanFrequency,
+        InitialNetworks initialNetworks,
+        Mating mating,
+        VariationSettings variation) {
+
+    public EvolutionSettings {
+        requireAtLeast(1, "mu", populationSize);
+        requireAtLeast(0, "maxGens", generations);
+        requireAtLeast(1, "cleanFrequency", cleanFrequency);
+        Objects.requireNonNull(initialPopulationSeed, "initialPopulationSeed");
+        Objects.requireNonNull(initialNetworks, "initialNetworks");
+        Objects.requireNonNull(mating, "mating");
+        Objects.requireNonNull(variation, "variation");
+    }
+
+    private static void requireAtLeast(int least, String name, int value) {
+        if (value < least) {
+            throw new IllegalArgumentException(name + " must be at least " + least + ", is " + value);
+        }
+    }
+}

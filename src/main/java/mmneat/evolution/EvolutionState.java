@@ -1,0 +1,51 @@
+package mmneat.evolution;
+
+import java.util.List;
+import java.util.Objects;
+import mmneat.neat.GenePool;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+
+/**
+ * An evolution between two generations: everything that decides how it goes on. An {@link Evolution} made from a state
+ * continues exactly as the one that was in that state.
+ *
+ * @param generation number of the generation to come, which is also how many are done
+ * @param population its parents, in the order in which they will be evaluated
+ * @param pool counters and archetype
+ * @param random the generator
+ */
+public record EvolutionState(
+        int generation, List<Genotype> population, GenePool.State pool, ResumableRandom.State random) {
+
+    /** Id that the original gives to the network by which the archetype is made. */
+    private static final long EXAMPLE_ID = -1;
+
+    public EvolutionState {
+        if (generation < 0) {
+            throw new IllegalArgumentException("generation must not be negative, is " + generation);
+        }
+        population = List.copyOf(population);
+        Objects.requireNonNull(pool, "pool");
+        Objects.requireNonNull(random, "random");
+    }
+
+    /**
+     * The state in which a new evolution begins.
+     *
+     * <p>An example network is made first, from which the archetype is copied; then the population. Then the generator starts
+     * again: evolution reuses the numbers that made the example and the population, as in the original.
+     *
+     * <p>Source: spec/evolution.md, section 3.1.
+     */
+    public static EvolutionState initial(EvolutionSettings settings) {
+        ResumableRandom random = new ResumableRandom(settings.seed());
+        Genotype example = settings.initialNetworks().create(EXAMPLE_ID, random);
+        GenePool pool = GenePool.foundedOn(example);
+        settings.initialPopulationSeed().ifPresent(random::setSeed);
+        List<Genotype> population =
+                settings.initialNetworks().createPopulation(settings.populationSize(), pool, random);
+        random.setSeed(settings.seed());
+        return new EvolutionState(0, population, pool.state(), random.state());
+    }
+}

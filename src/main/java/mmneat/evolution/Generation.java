@@ -1,0 +1,44 @@
+package mmneat.evolution;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import mmneat.neat.Offspring;
+
+/**
+ * What happened in one generation.
+ *
+ * @param number from 0
+ * @param parents in population order
+ * @param offspring the children and their origins, in order, before their evaluation; empty when the final parents were
+ *     evaluated
+ * @param children the children after their evaluation, in the order of {@code offspring}
+ * @param archetypeSize entries of the archetype when the children had been made
+ */
+public record Generation(
+        int number, List<Individual> parents, List<Offspring> offspring, List<Individual> children, int archetypeSize) {
+
+    public Generation {
+        parents = List.copyOf(parents);
+        offspring = List.copyOf(offspring);
+        children = List.copyOf(children);
+    }
+
+    /** The best of a population in something; of several equally good the last, as in the original. */
+    public static Individual best(List<Individual> population, ToDoubleFunction<Individual> score) {
+        Comparator<Individual> byScore = Comparator.comparingDouble(score);
+        return population.stream()
+                .reduce((best, next) -> byScore.compare(next, best) >= 0 ? next : best)
+                .orElseThrow();
+    }
+
+    /** The parent with the largest {@link Task#championScore}; of several the last. */
+    public Individual champion(Task task) {
+        return best(parents, parent -> task.championScore(parent.evaluation()));
+    }
+
+    /** The best parent in an objective; of several the last. */
+    public Individual bestParentIn(int objective) {
+        return best(parents, parent -> parent.evaluation().objectives()[objective]);
+    }
+}

@@ -1,0 +1,18 @@
+package mmneat.evolution;
+
+import mmneat.neat.Genotype;
+
+/**
+ * A genotype that has been evaluated.
+ *
+ * @param genotype the genotype, with the module usage of this evaluation
+ * @param evaluation its scores
+ * @param nanoseconds how long the evaluation took; of no consequence for evolution
+ */
+public record Individual(Genotype genotype, Evaluation evaluation, long nanoseconds) {
+
+    /** The individual that an evaluation makes of a genotype. */
+    static Individual of(Genotype genotype, Evaluation evaluation, long nanoseconds) {
+        return new Individual(genotype.withModuleUsage(evaluation.moduleUsage()), evaluation, nanoseconds);
+    }
+}
