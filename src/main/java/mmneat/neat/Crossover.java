@@ -1,10 +1,14 @@
 package mmneat.neat;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.ToLongFunction;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -32,18 +36,25 @@ record Crossover(double excessRate) {
      */
     void cross(GenotypeDraft a, GenotypeDraft b, Archetype archetype, ResumableRandom random) {
         boolean isExcessShared = random.nextFloat() < excessRate;
-        List<NodeGene> nodesOfA = new ArrayList<>();
-        List<NodeGene> nodesOfB = new ArrayList<>();
         // Only if children get both parents' neurons does it matter where the archetype places one parent's among the
         // other's.
         Map<Long, Integer> order = isExcessShared ? GenotypeDraft.positionsOf(archetype.entries()) : Map.of();
-        distribute(alignNodes(a.nodes(), b.nodes(), order), isExcessShared, nodesOfA, nodesOfB, random);
+        List<NodeGene> nodesOfA = new ArrayList<>();
+        List<NodeGene> nodesOfB = new ArrayList<>();
+        distribute(
+                align(a.nodes(), b.nodes(), NodeGene::innovation, order), isExcessShared, nodesOfA, nodesOfB, random);
 
+        List<LinkGene> sortedA = sortedByInnovation(a.links());
+        List<LinkGene> sortedB = sortedByInnovation(withInnovationsOf(a.links(), b.links()));
         List<LinkGene> linksOfA = new ArrayList<>();
         List<LinkGene> linksOfB = new ArrayList<>();
-        List<LinkGene> reconciled = withInnovationsOf(a.links(), b.links());
-        distribute(alignLinks(a.links(), reconciled), isExcessShared, linksOfA, linksOfB, random);
+        distribute(align(sortedA, sortedB, LinkGene::innovation, Map.of()), isExcessShared, linksOfA, linksOfB, random);
+        int modulesOfA = a.modules();
         a.replaceGenes(nodesOfA, linksOfA);
+        if (a.modules() != modulesOfA) {
+            // As in the original the first child, and only it, counts no use of the modules it gained.
+            a.setModuleUsage(Arrays.copyOf(a.moduleUsage(), a.modules()));
+        }
         b.replaceGenes(nodesOfB, linksOfB);
     }
 
@@ -69,27 +80,27 @@ record Crossover(double excessRate) {
     }
 
     /**
-     * Pairs the nodes of both parents. Both lists are parts of the archetype's order, so the nodes they share come in the same
-     * order in both, which is all that is needed to walk along the two.
+     * Pairs the genes of both parents. What they share comes in the same order in both lists (nodes: the archetype's; links:
+     * ascending), which is all that is needed to walk along the two.
      *
-     * @param order place in the archetype; nodes that are not in it come first
+     * @param order places that decide which comes first of two genes that only one parent has; without places b's comes first
      */
-    private static List<Pair<NodeGene>> alignNodes(List<NodeGene> a, List<NodeGene> b, Map<Long, Integer> order) {
-        Map<Long, Integer> positionsInA = GenotypeDraft.positionsOf(a);
-        Map<Long, Integer> positionsInB = GenotypeDraft.positionsOf(b);
-        List<Pair<NodeGene>> pairs = new ArrayList<>(a.size() + b.size());
+    private static <G> List<Pair<G>> align(
+            List<G> a, List<G> b, ToLongFunction<G> innovation, Map<Long, Integer> order) {
+        Set<Long> inA = innovationsOf(a, innovation);
+        Set<Long> inB = innovationsOf(b, innovation);
+        List<Pair<G>> pairs = new ArrayList<>(a.size() + b.size());
         int i = 0;
         int j = 0;
         while (i < a.size() || j < b.size()) {
-            boolean isAOnly = i < a.size() && !positionsInB.containsKey(a.get(i).innovation());
-            boolean isBOnly = j < b.size() && !positionsInA.containsKey(b.get(j).innovation());
-            if (isAOnly && isBOnly) {
-                isAOnly = order.getOrDefault(a.get(i).innovation(), -1)
-                        <= order.getOrDefault(b.get(j).innovation(), -1);
-            }
-            if (isAOnly) {
+            long nextOfA = i < a.size() ? innovation.applyAsLong(a.get(i)) : 0;
+            long nextOfB = j < b.size() ? innovation.applyAsLong(b.get(j)) : 0;
+            boolean isOnlyInA = i < a.size() && !inB.contains(nextOfA);
+            boolean isOnlyInB = j < b.size() && !inA.contains(nextOfB);
+            boolean isAFirst = order.getOrDefault(nextOfA, 0) < order.getOrDefault(nextOfB, 0);
+            if (isOnlyInA && (isAFirst || !isOnlyInB)) {
                 pairs.add(new Pair<>(a.get(i++), null));
-            } else if (isBOnly) {
+            } else if (isOnlyInB) {
                 pairs.add(new Pair<>(null, b.get(j++)));
             } else {
                 pairs.add(new Pair<>(a.get(i++), b.get(j++)));
@@ -98,22 +109,12 @@ record Crossover(double excessRate) {
         return pairs;
     }
 
-    /** Pairs the links of both parents by innovation, ascending. */
-    private static List<Pair<LinkGene>> alignLinks(List<LinkGene> unsortedA, List<LinkGene> unsortedB) {
-        List<LinkGene> a = sortedByInnovation(unsortedA);
-        List<LinkGene> b = sortedByInnovation(unsortedB);
-        List<Pair<LinkGene>> pairs = new ArrayList<>(a.size() + b.size());
-        int i = 0;
-        int j = 0;
-        while (i < a.size() && j < b.size()) {
-            int comparison = Long.compare(a.get(i).innovation(), b.get(j).innovation());
-            LinkGene ofA = comparison <= 0 ? a.get(i++) : null;
-            LinkGene ofB = comparison >= 0 ? b.get(j++) : null;
-            pairs.add(new Pair<>(ofA, ofB));
+    private static <G> Set<Long> innovationsOf(List<G> genes, ToLongFunction<G> innovation) {
+        Set<Long> innovations = new HashSet<>(genes.size() * 2);
+        for (G gene : genes) {
+            innovations.add(innovation.applyAsLong(gene));
         }
-        a.subList(i, a.size()).forEach(link -> pairs.add(new Pair<>(link, null)));
-        b.subList(j, b.size()).forEach(link -> pairs.add(new Pair<>(null, link)));
-        return pairs;
+        return innovations;
     }
 
     private static List<LinkGene> sortedByInnovation(List<LinkGene> links) {

@@ -1,0 +1,133 @@
+package mmneat.neat.network;
+
+import java.util.Arrays;
+import mmneat.neat.ModuleLayout;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Chooses modules and combines their answers in the ways that the published experiments do not use, and keeps the modules'
+ * fatigue.
+ *
+ * <p>Source: spec/networks.md, section 6.3.
+ */
+final class ModuleArbiter {
+
+    private final ModuleLayout layout;
+    private final ModuleArbitration arbitration;
+    private final int[] taskOfModule;
+    /** Preference of each module in the last step, as it was compared. */
+    private final double[] preferences;
+
+    private final double[] fatigue;
+    private final double[] shares;
+
+    ModuleArbiter(ModuleLayout layout, ModuleArbitration arbitration) {
+        this.layout = layout;
+        this.arbitration = arbitration;
+        taskOfModule = arbitration.taskOfModule();
+        int modules = layout.modules();
+        preferences = new double[modules];
+        fatigue = new double[modules];
+        shares = new double[modules];
+        if (taskOfModule.length != 0 && taskOfModule.length != modules) {
+            throw new IllegalArgumentException(
+                    "taskOfModule must name a task for each of " + modules + " modules, names " + taskOfModule.length);
+        }
+        if (arbitration.disabledModule() >= modules) {
+            throw new IllegalArgumentException(
+                    "disabledMode must be one of " + modules + " modules, is " + arbitration.disabledModule());
+        }
+        if (arbitration.answer() == ModuleArbitration.Answer.ENSEMBLE && layout.hasPreferenceNeurons()) {
+            throw new IllegalArgumentException("an ensemble's modules must not have preference neurons");
+        }
+    }
+
+    /** One of the indices of the highest value, drawn by one {@code nextInt} also if there is only one. */
+    static int highest(double[] values, ResumableRandom random) {
+        double highest = Double.NEGATIVE_INFINITY;
+        int tied = 0;
+        for (double value : values) {
+            if (value > highest) {
+                highest = value;
+                tied = 0;
+            }
+            tied += value == highest ? 1 : 0;
+        }
+        if (tied == 0) {
+            throw new IllegalStateException("preferences are not numbers: " + Arrays.toString(values));
+        }
+        int chosen = random.nextInt(tied);
+        int index = -1;
+        while (chosen >= 0) {
+            index++;
+            chosen -= values[index] == highest ? 1 : 0;
+        }
+        return index;
+    }
+
+    /** Chooses a module after a step; one {@code nextInt} for the highest, one {@code nextDouble} for softmax. */
+    int choose(NetworkState state, int preset, ResumableRandom random) {
+        for (int module = 0; module < preferences.length; module++) {
+            preferences[module] = preference(state, module, preset) - fatigue[module];
+            boolean othersTask = taskOfModule.length > 0 && taskOfModule[module] != preset;
+            if (othersTask || module == arbitration.disabledModule()) {
+                preferences[module] = ModuleArbitration.RULED_OUT;
+            }
+        }
+        int chosen = arbitration.softmaxTemperature() > 0 ? drawByShare(random) : highest(preferences, random);
+        tire(chosen);
+        return chosen;
+    }
+
+    private double preference(NetworkState state, int module, int preset) {
+        if (layout.modules() == 1 || arbitration.answer() == ModuleArbitration.Answer.ENSEMBLE) {
+            return 1;
+        }
+        if (layout.standardMultitask()) {
+            return module == preset ? 1 : 0;
+        }
+        return state.preference(module);
+    }
+
+    private int drawByShare(ResumableRandom random) {
+        double total = 0;
+        for (int module = 0; module < shares.length; module++) {
+            shares[module] = StrictMath.exp(preferences[module] / arbitration.softmaxTemperature());
+            total += shares[module];
+        }
+        double left = random.nextDouble() * total;
+        int module = 0;
+        while (module < shares.length - 1 && left >= shares[module]) {
+            left -= shares[module++];
+        }
+        return module;
+    }
+
+    private void tire(int chosen) {
+        for (int module = 0; module < fatigue.length; module++) {
+            if (module == chosen) {
+                fatigue[module] += arbitration.fatigueUnit();
+            } else {
+                fatigue[module] *= arbitration.fatigueDecay();
+            }
+        }
+    }
+
+    void flush() {
+        Arrays.fill(fatigue, 0);
+    }
+
+    /** Whether the answer is made of all modules' answers. */
+    boolean averages() {
+        return arbitration.answer() != ModuleArbitration.Answer.CHOSEN_MODULE;
+    }
+
+    /** One value of the combined answer of the last step. */
+    double average(NetworkState state, int neuron) {
+        double sum = 0;
+        for (int module = 0; module < preferences.length; module++) {
+            sum += preferences[module] * state.moduleOutput(module, neuron);
+        }
+        return sum / preferences.length;
+    }
+}

@@ -1,0 +1,116 @@
+package mmneat.neat.network;
+
+import java.util.Arrays;
+
+/**
+ * How a network's answer is made of its modules' answers. The published experiments use {@link #PREFERENCE} alone.
+ *
+ * <p>Source: spec/networks.md, sections 6.1 and 6.3.
+ *
+ * @param softmaxTemperature if positive, a module is drawn with a probability proportional to exp(preference /
+ *     temperature); 0: the highest preference wins
+ * @param disabledModule module that is as good as never chosen; -1 for none
+ * @param fatigueUnit what the chosen module's fatigue grows by; fatigue is subtracted from a module's preference
+ * @param fatigueDecay what the other modules' fatigue is multiplied by
+ * @param answer whose policy activations the network returns
+ * @param taskOfModule hierarchical multitask: the task that each module serves, and the preset module then is a task; empty
+ *     if modules serve no particular task
+ */
+public record ModuleArbitration(
+        double softmaxTemperature,
+        int disabledModule,
+        double fatigueUnit,
+        double fatigueDecay,
+        Answer answer,
+        int[] taskOfModule) {
+
+    /** Whose policy activations the network returns. */
+    public enum Answer {
+        /** Those of the chosen module. */
+        CHOSEN_MODULE,
+        /** The sum over all modules of preference times activation, divided by the number of modules. */
+        WEIGHTED_AVERAGE,
+        /** The average over all modules, which have no preference neurons and are equally preferred. */
+        ENSEMBLE
+    }
+
+    /** The module with the highest preference answers; exact ties are broken at random. */
+    public static final ModuleArbitration PREFERENCE =
+            new ModuleArbitration(0, -1, 0, 1, Answer.CHOSEN_MODULE, new int[0]);
+
+    /** Preference of a module that is out of the question: below every activation. */
+    static final double RULED_OUT = -2;
+
+    public ModuleArbitration {
+        if (!(softmaxTemperature >= 0)) {
+            throw new IllegalArgumentException(
+                    "softmaxTemperature must be 0 (no softmax) or positive, is " + softmaxTemperature);
+        }
+        if (disabledModule < -1) {
+            throw new IllegalArgumentException("disabledMode must be a module or -1 for none, is " + disabledModule);
+        }
+        if (!Double.isFinite(fatigueUnit) || !Double.isFinite(fatigueDecay)) {
+            throw new IllegalArgumentException(
+                    "preferenceNeuronFatigueUnit and preferenceNeuronDecay must be finite, are " + fatigueUnit + " and "
+                            + fatigueDecay);
+        }
+        taskOfModule = taskOfModule.clone();
+    }
+
+    /** The same with {@code temperature} for softmax; the original's default is 0.25. */
+    public ModuleArbitration withSoftmax(double temperature) {
+        return new ModuleArbitration(temperature, disabledModule, fatigueUnit, fatigueDecay, answer, taskOfModule);
+    }
+
+    /** The same with a module that is as good as never chosen. */
+    public ModuleArbitration withDisabledModule(int module) {
+        return new ModuleArbitration(softmaxTemperature, module, fatigueUnit, fatigueDecay, answer, taskOfModule);
+    }
+
+    /** The same with modules that tire of being chosen. */
+    public ModuleArbitration withFatigue(double unit, double decay) {
+        return new ModuleArbitration(softmaxTemperature, disabledModule, unit, decay, answer, taskOfModule);
+    }
+
+    /** The same with another way to combine the modules' activations. */
+    public ModuleArbitration withAnswer(Answer value) {
+        return new ModuleArbitration(
+                softmaxTemperature, disabledModule, fatigueUnit, fatigueDecay, value, taskOfModule);
+    }
+
+    /** The same for a network with several modules per task, chosen by preference among those of the preset task. */
+    public ModuleArbitration withTasks(int... taskOfEachModule) {
+        return new ModuleArbitration(
+                softmaxTemperature, disabledModule, fatigueUnit, fatigueDecay, answer, taskOfEachModule);
+    }
+
+    /** The task of each module (a copy); empty if modules serve no particular task. */
+    @Override
+    public int[] taskOfModule() {
+        return taskOfModule.clone();
+    }
+
+    /** Whether this is plain preference. */
+    boolean isPlain() {
+        return equals(PREFERENCE);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof ModuleArbitration that
+                && softmaxTemperature == that.softmaxTemperature
+                && disabledModule == that.disabledModule
+                && fatigueUnit == that.fatigueUnit
+                && fatigueDecay == that.fatigueDecay
+                && answer == that.answer
+                && Arrays.equals(taskOfModule, that.taskOfModule);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(taskOfModule) * 31
+                + Double.hashCode(softmaxTemperature)
+                + disabledModule
+                + answer.hashCode();
+    }
+}

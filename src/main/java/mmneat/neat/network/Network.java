@@ -1,0 +1,156 @@
+package mmneat.neat.network;
+
+import mmneat.neat.ActivationFunction;
+import mmneat.neat.Genotype;
+import mmneat.neat.ModuleLayout;
+
+/**
+ * A genotype compiled for activation: immutable, and shared by any number of {@link NetworkState}s and threads.
+ *
+ * <p>Source: spec/networks.md, section 5.
+ */
+public final class Network {
+
+    /*
+     * The original pushes: every node, in the genotype's order, adds its activation times a weight to the pending sums of
+     * its targets. Here every neuron pulls instead. A sum then is one loop over adjacent weights, and a neuron that nobody
+     * reads can wait. The result is the same to the last bit if a neuron's addends keep their order:
+     *
+     *   1. recurrent links (source at or behind the target) by source, with the source's activation of the previous step;
+     *   2. forward links by source, with the activation of this step.
+     *
+     * Only the order within a sum counts, so neurons are numbered by level: a neuron's forward sources all lie on lower
+     * levels, and the neurons of one level are independent of each other. Outputs that no link reads come last and are
+     * computed only when somebody asks for them ("lazy"): a module that loses the choice costs nothing.
+     *
+     * Slots number what has an activation: first all inputs, then the neurons in that order. Nodes from which no output
+     * can be reached in any number of steps have no slot.
+     */
+
+    /** Slot of a node that takes no part. */
+    static final int LEFT_OUT = -1;
+
+    final int inputs;
+    final ModuleLayout layout;
+    /** Slot of each node, by position in the genotype. */
+    final int[] slotOfNode;
+    /** Slot of each output neuron, by output number. */
+    final int[] slotOfOutput;
+    /** Number of slots; the neurons are [inputs, slots). */
+    final int slots;
+    /** Neurons from this slot on are lazy. */
+    final int firstLazy;
+    /** First slot of each level of the neurons that are not lazy, and {@link #firstLazy} at the end. */
+    final int[] levelStart;
+    /** Per slot: where its forward links start in the two arrays below; one more entry at the end. */
+    final int[] forwardStart;
+
+    /** Slot that a forward link comes from. */
+    final int[] forwardSource;
+
+    final double[] forwardWeight;
+    /** The slots that recurrent links lead to. */
+    final int[] recurrentTarget;
+    /** Per entry of {@link #recurrentTarget}: where its links start in the two arrays below; one more entry at the end. */
+    final int[] recurrentStart;
+
+    /** Slot that a recurrent link comes from. */
+    final int[] recurrentSource;
+
+    final double[] recurrentWeight;
+    /** Function of each slot; null if all are tanh. */
+    final ActivationFunction[] functions;
+
+    Network(
+            Genotype genotype,
+            int[] slotOfNode,
+            int firstLazy,
+            int[] levelStart,
+            int[] forwardStart,
+            int[] forwardSource,
+            double[] forwardWeight,
+            int[] recurrentTarget,
+            int[] recurrentStart,
+            int[] recurrentSource,
+            double[] recurrentWeight,
+            ActivationFunction[] functions) {
+        this.inputs = genotype.inputs();
+        this.layout = genotype.layout();
+        this.slotOfNode = slotOfNode;
+        this.slots = forwardStart.length - 1;
+        this.firstLazy = firstLazy;
+        this.levelStart = levelStart;
+        this.forwardStart = forwardStart;
+        this.forwardSource = forwardSource;
+        this.forwardWeight = forwardWeight;
+        this.recurrentTarget = recurrentTarget;
+        this.recurrentStart = recurrentStart;
+        this.recurrentSource = recurrentSource;
+        this.recurrentWeight = recurrentWeight;
+        this.functions = functions;
+        slotOfOutput = new int[layout.outputs()];
+        System.arraycopy(slotOfNode, genotype.firstOutput(), slotOfOutput, 0, slotOfOutput.length);
+    }
+
+    /** The network of a genotype, without the nodes from which no output can be reached. */
+    public static Network compile(Genotype genotype) {
+        return new NetworkCompiler(genotype, false).compile();
+    }
+
+    /**
+     * The network of a genotype with every node, also those that have no effect on any output: to show all activations.
+     * Outputs are equal to those of {@link #compile}.
+     */
+    public static Network compileWithAllNodes(Genotype genotype) {
+        return new NetworkCompiler(genotype, true).compile();
+    }
+
+    /** A new state of this network: nothing pending, nothing counted, modules chosen by plain preference. */
+    public NetworkState newState() {
+        return new NetworkState(this, ModuleArbitration.PREFERENCE);
+    }
+
+    /**
+     * A new state of this network whose modules are chosen in another way.
+     *
+     * @throws IllegalArgumentException if the arbitration does not suit the network's modules
+     */
+    public NetworkState newState(ModuleArbitration arbitration) {
+        return new NetworkState(this, arbitration);
+    }
+
+    /** Number of input values. */
+    public int inputs() {
+        return inputs;
+    }
+
+    /** How the outputs are divided into modules. */
+    public ModuleLayout layout() {
+        return layout;
+    }
+
+    /** Number of output modules. */
+    public int modules() {
+        return layout.modules();
+    }
+
+    /** Number of nodes of the genotype, left-out ones included. */
+    public int nodes() {
+        return slotOfNode.length;
+    }
+
+    /** Whether the node at this position of {@link Genotype#nodes()} is part of the network: it has an activation. */
+    public boolean hasNode(int position) {
+        return slotOfNode[position] != LEFT_OUT;
+    }
+
+    /** Number of neurons (hidden and output) that take part. */
+    public int neurons() {
+        return slots - inputs;
+    }
+
+    /** Number of links that take part. */
+    public int links() {
+        return forwardSource.length + recurrentSource.length;
+    }
+}
