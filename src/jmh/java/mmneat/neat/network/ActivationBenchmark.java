@@ -1,0 +1,89 @@
+package mmneat.neat.network;
+
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** One step of a network whose answer is read, on inputs that change from step to step; and compiling a network. */
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@Warmup(iterations = 5, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(3)
+@State(Scope.Thread)
+public class ActivationBenchmark {
+
+    /** Different networks, so that the processor cannot learn one by heart. */
+    private static final int NETWORKS = 16;
+
+    private static final int ROWS = 256;
+
+    /** "champion": 25 hidden neurons and 180 links; "young": 6 and 75. */
+    @Param({"champion", "young"})
+    String size;
+
+    private final Genotype[] genotypes = new Genotype[NETWORKS];
+    private final NetworkState[] states = new NetworkState[NETWORKS];
+    private final double[][] inputs = new double[ROWS][];
+    private final double[][] inputActivations = new double[ROWS][];
+    private final ResumableRandom random = new ResumableRandom(1);
+    private int step;
+
+    /** Makes the networks and rows of inputs of which a third is 0, as of sensors. */
+    @Setup
+    public void prepare() {
+        SplittableRandom sizes = new SplittableRandom(1);
+        for (int i = 0; i < NETWORKS; i++) {
+            genotypes[i] = size.equals("champion") ? SampleGenotypes.champion(sizes) : SampleGenotypes.young(sizes);
+            states[i] = Network.compile(genotypes[i]).newState();
+        }
+        for (int row = 0; row < ROWS; row++) {
+            inputs[row] = new double[states[0].network().inputs()];
+            inputActivations[row] = new double[inputs[row].length];
+            for (int i = 0; i < inputs[row].length; i++) {
+                inputs[row][i] = sizes.nextInt(3) == 0 ? 0 : sizes.nextDouble();
+                inputActivations[row][i] = Tanh.of(inputs[row][i]);
+            }
+        }
+    }
+
+    /** One step as a game makes it: activations of the input neurons come from tables. */
+    @Benchmark
+    public double activateFromInputActivations() {
+        NetworkState state = nextState();
+        state.activateFrom(inputActivations[step & (ROWS - 1)], 0, random);
+        return state.policyOutput(0);
+    }
+
+    /** One step from raw inputs, thirty tanh more. */
+    @Benchmark
+    public double activate() {
+        NetworkState state = nextState();
+        state.activate(inputs[step & (ROWS - 1)], random);
+        return state.policyOutput(0);
+    }
+
+    /** A network keeps its turn for a game's worth of steps. */
+    private NetworkState nextState() {
+        step++;
+        return states[step >>> 10 & (NETWORKS - 1)];
+    }
+
+    /** From genotype to network. */
+    @Benchmark
+    public Network compile() {
+        return Network.compile(genotypes[step++ & (NETWORKS - 1)]);
+    }
+}
