@@ -163,6 +163,9 @@ public final class Genotype {
             if (target < inputs) {
                 throw new IllegalArgumentException("links[" + i + "]: leads into input " + link.target());
             }
+            if (!Double.isFinite(link.weight())) {
+                throw new IllegalArgumentException("links[" + i + "]: weight must be finite, is " + link.weight());
+            }
             if (!innovations.add(link.innovation())) {
                 throw new IllegalArgumentException(
                         "links[" + i + "]: innovation " + link.innovation() + " occurs twice");

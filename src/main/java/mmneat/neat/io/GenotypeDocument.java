@@ -1,0 +1,162 @@
+package mmneat.neat.io;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import com.fasterxml.jackson.annotation.JsonProperty;
+import com.fasterxml.jackson.annotation.JsonPropertyOrder;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import mmneat.neat.ActivationFunction;
+import mmneat.neat.Genotype;
+import mmneat.neat.LinkGene;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.NodeGene;
+import mmneat.neat.NodeType;
+
+/** The fields of a genotype's JSON document, in their order; docs/genotype-format.md says what they mean. */
+@JsonPropertyOrder({
+    "format",
+    "version",
+    "id",
+    "inputs",
+    "outputs",
+    "modules",
+    "policyNeuronsPerModule",
+    "standardMultitask",
+    "moduleUsage",
+    "nodes",
+    "links"
+})
+record GenotypeDocument(
+        @JsonProperty(required = true) String format,
+        @JsonProperty(required = true) int version,
+        @JsonProperty(required = true) long id,
+        @JsonProperty(required = true) int inputs,
+        @JsonProperty(required = true) int outputs,
+        @JsonProperty(required = true) int modules,
+        @JsonProperty(required = true) int policyNeuronsPerModule,
+        @JsonProperty(required = true) boolean standardMultitask,
+        @JsonProperty(required = true) int[] moduleUsage,
+        @JsonProperty(required = true) List<Node> nodes,
+        @JsonProperty(required = true) List<Link> links) {
+
+    static final String FORMAT = "mmneat-genotype";
+    static final int VERSION = 1;
+
+    GenotypeDocument {
+        if (!FORMAT.equals(format)) {
+            throw new IllegalArgumentException("format: must be \"" + FORMAT + "\", is \"" + format + "\"");
+        }
+        if (version != VERSION) {
+            throw new IllegalArgumentException(
+                    "version: this program reads version " + VERSION + ", the file has " + version);
+        }
+        requirePresent("moduleUsage", moduleUsage);
+        requirePresent("nodes", nodes);
+        requirePresent("links", links);
+    }
+
+    static GenotypeDocument of(Genotype genotype) {
+        ModuleLayout layout = genotype.layout();
+        return new GenotypeDocument(
+                FORMAT,
+                VERSION,
+                genotype.id(),
+                genotype.inputs(),
+                layout.outputs(),
+                layout.modules(),
+                layout.policyNeuronsPerModule(),
+                layout.standardMultitask(),
+                genotype.moduleUsage(),
+                genotype.nodes().stream().map(Node::of).toList(),
+                genotype.links().stream().map(Link::of).toList());
+    }
+
+    /** The genotype; an {@link IllegalArgumentException} names the field that does not fit. */
+    Genotype toGenotype() {
+        List<NodeGene> nodeGenes = new ArrayList<>(nodes.size());
+        for (int i = 0; i < nodes.size(); i++) {
+            requirePresent("nodes[" + i + "]", nodes.get(i));
+            nodeGenes.add(nodes.get(i).toGene(i));
+        }
+        List<LinkGene> linkGenes = new ArrayList<>(links.size());
+        for (int i = 0; i < links.size(); i++) {
+            requirePresent("links[" + i + "]", links.get(i));
+            linkGenes.add(links.get(i).toGene());
+        }
+        ModuleLayout layout = new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
+        return new Genotype(id, inputs, layout, nodeGenes, linkGenes, moduleUsage);
+    }
+
+    private static void requirePresent(String field, Object value) {
+        if (value == null) {
+            throw new IllegalArgumentException(field + ": is null");
+        }
+    }
+
+    /** A neuron. */
+    @JsonPropertyOrder({"innovation", "type", "activation", "frozen"})
+    record Node(
+            @JsonProperty(required = true) long innovation,
+            @JsonProperty(required = true) String type,
+            @JsonProperty(required = true) String activation,
+            @JsonInclude(JsonInclude.Include.NON_NULL) Boolean frozen) {
+
+        static Node of(NodeGene gene) {
+            return new Node(
+                    gene.innovation(), nameOf(gene.type()), nameOf(gene.activation()), gene.frozen() ? true : null);
+        }
+
+        NodeGene toGene(int index) {
+            return new NodeGene(
+                    innovation,
+                    constant(NodeType.class, type, index, "type"),
+                    constant(ActivationFunction.class, activation, index, "activation"),
+                    Boolean.TRUE.equals(frozen),
+                    false);
+        }
+
+        private static String nameOf(Enum<?> constant) {
+            return constant.name().toLowerCase(Locale.ROOT);
+        }
+
+        private static <E extends Enum<E>> E constant(Class<E> type, String name, int index, String field) {
+            List<String> names = new ArrayList<>();
+            for (E constant : type.getEnumConstants()) {
+                if (nameOf(constant).equals(name)) {
+                    return constant;
+                }
+                names.add(nameOf(constant));
+            }
+            throw new IllegalArgumentException("nodes[" + index + "]." + field + ": must be one of "
+                    + String.join(", ", names) + ", is \"" + name + "\"");
+        }
+    }
+
+    /** A connection. */
+    @JsonPropertyOrder({"innovation", "source", "target", "weight", "active", "recurrent", "frozen"})
+    record Link(
+            @JsonProperty(required = true) long innovation,
+            @JsonProperty(required = true) long source,
+            @JsonProperty(required = true) long target,
+            @JsonProperty(required = true) double weight,
+            @JsonProperty(required = true) boolean active,
+            @JsonProperty(required = true) boolean recurrent,
+            @JsonInclude(JsonInclude.Include.NON_NULL) Boolean frozen) {
+
+        static Link of(LinkGene gene) {
+            return new Link(
+                    gene.innovation(),
+                    gene.source(),
+                    gene.target(),
+                    gene.weight(),
+                    gene.active(),
+                    gene.recurrent(),
+                    gene.frozen() ? true : null);
+        }
+
+        LinkGene toGene() {
+            return new LinkGene(innovation, source, target, weight, active, recurrent, Boolean.TRUE.equals(frozen));
+        }
+    }
+}

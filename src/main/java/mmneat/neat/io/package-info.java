@@ -1,0 +1,8 @@
+/**
+ * Files of genotypes: our JSON form, the original's XML, and drawings of networks as SVG, DOT and GraphML.
+ *
+ * <p>The JSON form needs Jackson; the rest needs the JDK alone. Nothing else in {@code mmneat.neat} depends on this package.
+ *
+ * <p>Source: docs/genotype-format.md; spec/networks.md, section 12.
+ */
+package mmneat.neat.io;
