@@ -1,0 +1,98 @@
+package mmneat.analysis;
+
+import java.util.ArrayList;
+import java.util.List;
+import mmneat.analysis.results.Experiment;
+import mmneat.analysis.results.PublishedResults;
+import mmneat.analysis.statistics.ComparisonReport;
+import mmneat.analysis.statistics.Sample;
+import mmneat.experiment.UserError;
+
+/**
+ * The statistics of several experiments' champions.
+ *
+ * @param evaluated whether the scores are those of the evaluation after evolution; if not, of the last generation
+ * @param report the tables
+ * @param notes what a reader should know about the numbers
+ */
+public record ExperimentComparison(boolean evaluated, ComparisonReport report, List<String> notes) {
+
+    /** Where the champions' scores come from. */
+    public enum Scores {
+        /** The evaluations if all runs have one, else the last generation. */
+        AUTO,
+        /** The evaluations after evolution. */
+        EVALUATION,
+        /** The last generation: few games, and the best of them, so too high. */
+        TRAINING
+    }
+
+    public ExperimentComparison {
+        notes = List.copyOf(notes);
+    }
+
+    /**
+     * Compares experiments.
+     *
+     * @param paper whether the paper's champions stand beside ours
+     * @throws UserError if the evaluations are wanted but not all there, or the paper has none of the experiments
+     */
+    public static ExperimentComparison of(List<Experiment> experiments, Scores scores, boolean paper) {
+        List<String> notes = new ArrayList<>();
+        boolean evaluated = chooseEvaluated(experiments, scores, notes);
+        List<Sample> samples = experiments.stream()
+                .map(e -> new Sample(e.label(), e.championScores(evaluated)))
+                .toList();
+        List<Sample> published = paper ? published(experiments) : List.of();
+        if (paper && published.isEmpty()) {
+            throw new UserError("paper=true: the paper has none of these experiments; it has the methods of the blended,"
+                    + " interleaved and isolated task");
+        }
+        if (paper && !evaluated) {
+            notes.add("The paper's scores are averages of 1,000 games; the last generation's are the best of few games."
+                    + " Run evaluate before you read anything into the difference.");
+        }
+        return new ExperimentComparison(evaluated, ComparisonReport.of(samples, published), notes);
+    }
+
+    private static boolean chooseEvaluated(List<Experiment> experiments, Scores scores, List<String> notes) {
+        List<String> missing = experiments.stream()
+                .filter(e -> !e.isEvaluated())
+                .map(Experiment::label)
+                .toList();
+        if (scores == Scores.TRAINING) {
+            return false;
+        }
+        if (missing.isEmpty()) {
+            return true;
+        }
+        if (scores == Scores.EVALUATION) {
+            throw new UserError("scores=evaluation: not every champion of " + String.join(", ", missing)
+                    + " was evaluated; run evaluate on it first");
+        }
+        notes.add("Scores are the champions' of the last generation, the best of few games and so too high: not every"
+                + " champion of " + String.join(", ", missing) + " was evaluated. Run evaluate for 1,000 games each.");
+        return false;
+    }
+
+    private static List<Sample> published(List<Experiment> experiments) {
+        PublishedResults results = PublishedResults.read();
+        List<Sample> samples = new ArrayList<>();
+        for (Experiment experiment : experiments) {
+            double[] scores = results.champions(experiment.version(), experiment.method()).stream()
+                    .mapToDouble(PublishedResults.Champion::averageScore)
+                    .toArray();
+            if (scores.length > 0) {
+                samples.add(new Sample(experiment.label(), scores));
+            }
+        }
+        return samples;
+    }
+
+    /** What the scores are, as a heading. */
+    public String heading() {
+        return evaluated
+                ? "Champions' average score in games after evolution"
+                : "Champions' score in the last generation of evolution";
+    }
+}

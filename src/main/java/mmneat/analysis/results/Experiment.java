@@ -1,0 +1,42 @@
+package mmneat.analysis.results;
+
+import java.util.List;
+
+/**
+ * Runs that differ in nothing but the seed.
+ *
+ * @param version blended, interleaved, isolated, or empty for a task of the user's own
+ * @param method 1M, 2M, 3M, MMD, MT, MT2, MT3, or what the folder is called
+ * @param label how tables and figures call it, unique among the experiments read together
+ * @param runs its runs in the order of their numbers, at least one
+ */
+public record Experiment(String version, String method, String label, List<RunResult> runs) {
+
+    public Experiment {
+        runs = List.copyOf(runs);
+    }
+
+    /** Whether every champion was evaluated after evolution. */
+    public boolean isEvaluated() {
+        return runs.stream().allMatch(run -> run.evaluation().isPresent());
+    }
+
+    /** Each run's champion score: of its evaluation, or of the last generation. */
+    public double[] championScores(boolean evaluated) {
+        return runs.stream()
+                .mapToDouble(run -> evaluated ? run.evaluation().orElseThrow().meanScore() : run.lastScore())
+                .toArray();
+    }
+
+    /** The shortest run's number of generations; curves over all runs end there. */
+    public int generations() {
+        return runs.stream().mapToInt(RunResult::generations).min().orElseThrow();
+    }
+
+    /** All runs' champion scores in a generation. */
+    public double[] championScoresAt(int generation) {
+        return runs.stream()
+                .mapToDouble(run -> run.championScores()[generation])
+                .toArray();
+    }
+}

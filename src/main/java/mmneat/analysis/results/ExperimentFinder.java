@@ -1,0 +1,140 @@
+package mmneat.analysis.results;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import mmneat.experiment.PublishedConfigurations;
+import mmneat.experiment.UserError;
+
+/**
+ * Finds the experiments that a user means by a path: {@code results/blended} is every method in it, {@code results/blended/2M}
+ * all runs 2M0, 2M1, ..., and the folder of a run is that run.
+ */
+public final class ExperimentFinder {
+
+    private ExperimentFinder() {}
+
+    /**
+     * Reads all experiments, in the order of the paths and in the paper's order of methods within one.
+     *
+     * @throws UserError if a path leads to no run
+     */
+    public static List<Experiment> find(List<Path> paths) {
+        Map<Path, List<RunResult>> groups = new LinkedHashMap<>();
+        for (Path path : paths) {
+            Map<Path, List<RunResult>> found = group(runFolders(path));
+            if (found.isEmpty()) {
+                throw new UserError(path + ": no finished run is there; give the folder of an experiment, for example"
+                        + " results/blended or results/blended/2M");
+            }
+            groups.putAll(found);
+        }
+        List<Experiment> experiments = new ArrayList<>();
+        groups.forEach((stem, runs) -> experiments.add(experiment(stem, runs)));
+        return withLabels(experiments, List.copyOf(groups.keySet()));
+    }
+
+    private static List<Path> runFolders(Path path) {
+        if (!Files.isDirectory(path)) {
+            return ofStem(path);
+        }
+        return RunReader.isRun(path)
+                ? List.of(path)
+                : folders(path).stream().filter(RunReader::isRun).toList();
+    }
+
+    /** {@code results/blended/2M} is no folder itself, but what 2M0, 2M1, ... begin with. */
+    private static List<Path> ofStem(Path stem) {
+        Path parent = stem.toAbsolutePath().getParent();
+        if (parent == null || !Files.isDirectory(parent)) {
+            return List.of();
+        }
+        Path whole = parent.resolve(stem.getFileName());
+        return folders(parent).stream()
+                .filter(RunReader::isRun)
+                .filter(folder -> stem(folder, RunReader.read(folder)).equals(whole))
+                .map(folder -> stem.resolveSibling(folder.getFileName()))
+                .toList();
+    }
+
+    private static Map<Path, List<RunResult>> group(List<Path> folders) {
+        Map<Path, List<RunResult>> groups = new TreeMap<>(
+                Comparator.<Path>comparingInt(ExperimentFinder::paperOrder).thenComparing(Comparator.naturalOrder()));
+        for (Path folder : folders) {
+            RunResult run = RunReader.read(folder);
+            groups.computeIfAbsent(stem(folder, run), key -> new ArrayList<>()).add(run);
+        }
+        groups.values().forEach(runs -> runs.sort(Comparator.comparingInt(RunResult::number)));
+        return groups;
+    }
+
+    /** The run's folder without its number. MT20 is run 20 of MT or run 0 of MT2: only the parameters know. */
+    private static Path stem(Path folder, RunResult run) {
+        String name = folder.getFileName().toString();
+        String number = String.valueOf(run.number());
+        String stem = name.endsWith(number) ? name.substring(0, name.length() - number.length()) : name;
+        return folder.resolveSibling(stem.isEmpty() ? name : stem);
+    }
+
+    private static int paperOrder(Path stem) {
+        List<String> order = List.of("1M", "MT", "MT2", "MT3", "MMD", "3M", "2M");
+        int place = order.indexOf(stem.getFileName().toString());
+        return place < 0 ? order.size() : place;
+    }
+
+    private static Experiment experiment(Path stem, List<RunResult> runs) {
+        Map<String, String> parameters = runs.get(0).parameters();
+        String name = stem.getFileName().toString();
+        String version = MethodName.version(parameters);
+        if (version.isEmpty() && stem.toAbsolutePath().getParent() != null) {
+            String parent = String.valueOf(stem.toAbsolutePath().getParent().getFileName());
+            version = PublishedConfigurations.tasks().contains(parent) ? parent : "";
+        }
+        String method = parameters.isEmpty() ? name : MethodName.of(parameters);
+        return new Experiment(version, method.isEmpty() ? name : method, name, runs);
+    }
+
+    /** The shortest label that tells all apart: the method, the version and the method, or the folder. */
+    private static List<Experiment> withLabels(List<Experiment> experiments, List<Path> stems) {
+        List<Function<Integer, String>> labels = List.of(
+                i -> MethodName.paper(experiments.get(i).method()),
+                i -> (experiments.get(i).version() + " "
+                                + MethodName.paper(experiments.get(i).method()))
+                        .strip(),
+                i -> stems.get(i).toString());
+        for (Function<Integer, String> label : labels) {
+            List<String> all = Stream.iterate(0, i -> i + 1)
+                    .limit(experiments.size())
+                    .map(label)
+                    .toList();
+            if (Set.copyOf(all).size() == all.size()) {
+                List<Experiment> named = new ArrayList<>();
+                for (int i = 0; i < all.size(); i++) {
+                    Experiment e = experiments.get(i);
+                    named.add(new Experiment(e.version(), e.method(), all.get(i), e.runs()));
+                }
+                return named;
+            }
+        }
+        throw new IllegalStateException("two experiments have the folder " + stems);
+    }
+
+    private static List<Path> folders(Path parent) {
+        try (Stream<Path> entries = Files.list(parent)) {
+            return entries.filter(Files::isDirectory).sorted().collect(Collectors.toList());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,32 @@
+package mmneat.analysis.results;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a run left behind.
+ *
+ * @param folder the run's folder
+ * @param number the run's number
+ * @param parameters its parameters, by name
+ * @param championScores the champion's average score in each generation, from generation 0
+ * @param evaluation the champion's evaluation after evolution under the training rules, if there was one
+ */
+public record RunResult(
+        Path folder,
+        int number,
+        Map<String, String> parameters,
+        double[] championScores,
+        Optional<ChampionEvaluation> evaluation) {
+
+    /** The champion's score in the last generation. */
+    public double lastScore() {
+        return championScores[championScores.length - 1];
+    }
+
+    /** Number of generations that were evolved. */
+    public int generations() {
+        return championScores.length - 1;
+    }
+}

@@ -1,0 +1,176 @@
+package mmneat.analysis.statistics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * A comparison as tables: the groups, the pairs, and, if wanted, each group beside the paper's.
+ */
+public final class ComparisonReport {
+
+    /** The seed of all bootstrap intervals: the same table on every machine. */
+    private static final long BOOTSTRAP_SEED = 1;
+
+    private static final double INTERVAL = 0.95;
+
+    private final Comparison comparison;
+    private final List<Sample> samples;
+    private final List<Comparison.Pair> againstPaper;
+    private final List<Sample> paper;
+
+    private ComparisonReport(Comparison comparison, List<Sample> samples, List<Sample> paper) {
+        this.comparison = comparison;
+        this.samples = List.copyOf(samples);
+        this.paper = List.copyOf(paper);
+        List<PairwiseTest> tests = new ArrayList<>();
+        for (Sample theirs : paper) {
+            Sample ours = samples.stream()
+                    .filter(sample -> sample.label().equals(theirs.label()))
+                    .findFirst()
+                    .orElseThrow();
+            tests.add(PairwiseTest.of(ours, theirs));
+        }
+        againstPaper = Comparison.bonferroni(tests);
+    }
+
+    /**
+     * A report of one or more groups.
+     *
+     * @param samples our groups, each with a label of its own
+     * @param paper the paper's groups, each with the label of the group of ours that it stands beside; empty if not wanted
+     */
+    public static ComparisonReport of(List<Sample> samples, List<Sample> paper) {
+        return new ComparisonReport(samples.size() < 2 ? null : Comparison.of(samples), samples, paper);
+    }
+
+    /** One row per group: size, median with its bootstrap interval, mean, deviation, range. */
+    public TextTable groups() {
+        TextTable table = new TextTable("method", "runs", "median", "95 % interval", "mean", "sd", "min", "max");
+        samples.forEach(sample -> groupRow(table, sample.label(), sample));
+        for (Sample sample : paper) {
+            groupRow(table, sample.label() + " (paper)", sample);
+        }
+        return table;
+    }
+
+    private static void groupRow(TextTable table, String label, Sample sample) {
+        BootstrapInterval interval = BootstrapInterval.ofMedian(sample, INTERVAL, BOOTSTRAP_SEED);
+        table.row(
+                label,
+                String.valueOf(sample.size()),
+                Numbers.score(sample.median()),
+                Numbers.score(interval.low()) + " to " + Numbers.score(interval.high()),
+                Numbers.score(sample.mean()),
+                Numbers.score(sample.standardDeviation()),
+                Numbers.score(sample.quantile(0)),
+                Numbers.score(sample.quantile(1)));
+    }
+
+    /** The Kruskal-Wallis test in one line. */
+    public String overall() {
+        if (comparison == null) {
+            return "One group only: nothing to compare it with.";
+        }
+        KruskalWallis test = comparison.kruskalWallis();
+        return "Kruskal-Wallis: H = " + Numbers.decimal(test.h(), 3) + ", df = " + test.degreesOfFreedom() + ", p = "
+                + Numbers.probability(test.p());
+    }
+
+    /** One row per pair of groups. */
+    public TextTable pairs() {
+        return pairTable(comparison == null ? List.of() : comparison.pairs(), "pair", " - ");
+    }
+
+    /** One row per group that the paper has: ours against the paper's. */
+    public TextTable againstPaper() {
+        TextTable table = new TextTable("method", "U", "p", "corrected p", "A", "effect", "verdict");
+        for (Comparison.Pair pair : againstPaper) {
+            PairwiseTest test = pair.test();
+            table.row(
+                    test.a(),
+                    Numbers.decimal(test.u(), 1),
+                    Numbers.probability(test.p()),
+                    Numbers.probability(pair.corrected()),
+                    Numbers.decimal(test.effectSize(), 3),
+                    test.magnitude(),
+                    verdict(pair));
+        }
+        return table;
+    }
+
+    /** Whether ours differ from the paper's, in words. */
+    static String verdict(Comparison.Pair pair) {
+        if (!(pair.corrected() < Comparison.SIGNIFICANCE)) {
+            return "no difference shown";
+        }
+        return pair.test().effectSize() > 0.5 ? "ours higher" : "ours lower";
+    }
+
+    private static TextTable pairTable(List<Comparison.Pair> pairs, String first, String between) {
+        TextTable table = new TextTable(first, "U", "p", "corrected p", "method", "A", "effect", "");
+        for (Comparison.Pair pair : pairs) {
+            PairwiseTest test = pair.test();
+            table.row(
+                    test.a() + between + test.b(),
+                    Numbers.decimal(test.u(), 1),
+                    Numbers.probability(test.p()),
+                    Numbers.probability(pair.corrected()),
+                    test.method() == PairwiseTest.Method.EXACT ? "exact" : "normal",
+                    Numbers.decimal(test.effectSize(), 3),
+                    test.magnitude(),
+                    pair.corrected() < Comparison.SIGNIFICANCE ? "*" : "");
+        }
+        return table;
+    }
+
+    /** Whether the paper's groups stand beside ours. */
+    public boolean hasPaper() {
+        return !paper.isEmpty();
+    }
+
+    /** Everything for the terminal. */
+    public String text() {
+        StringBuilder text = new StringBuilder(groups().text()).append('\n').append(overall()).append('\n');
+        if (comparison != null) {
+            text.append("\nAll pairs: two-sided Mann-Whitney U, Bonferroni for ")
+                    .append(comparison.comparisons())
+                    .append(" comparisons; A is the chance that the first is higher\n\n")
+                    .append(pairs().text())
+                    .append("* corrected p below ")
+                    .append(Comparison.SIGNIFICANCE)
+                    .append('\n');
+        }
+        if (hasPaper()) {
+            text.append("\nOurs against the paper's champions (")
+                    .append(Numbers.decimal(againstPaper.size(), 0))
+                    .append(" comparisons)\n\n")
+                    .append(againstPaper().text());
+        }
+        return text.toString();
+    }
+
+    /** All tables for LaTeX. */
+    public String latex() {
+        return Stream.of(groups(), pairs(), againstPaper())
+                .filter(table -> !table.rows().isEmpty())
+                .map(TextTable::latex)
+                .reduce("% needs \\usepackage{booktabs}\n% " + overall() + "\n", (all, table) -> all + "\n" + table);
+    }
+
+    /** Our groups. */
+    public List<Sample> samples() {
+        return samples;
+    }
+
+    /** The comparison of our groups; empty for a single one. */
+    public Optional<Comparison> comparison() {
+        return Optional.ofNullable(comparison);
+    }
+
+    /** Each of our groups against the paper's. */
+    public List<Comparison.Pair> pairsAgainstPaper() {
+        return againstPaper;
+    }
+}

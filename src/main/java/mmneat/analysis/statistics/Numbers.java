@@ -1,0 +1,30 @@
+package mmneat.analysis.statistics;
+
+import java.util.Locale;
+
+/** How numbers are written in tables, the same everywhere whatever the machine's language. */
+public final class Numbers {
+
+    private Numbers() {}
+
+    /** A score: no decimals, groups of three digits; a dash for NaN. */
+    public static String score(double value) {
+        return Double.isNaN(value) ? "-" : String.format(Locale.ROOT, "%,.0f", value);
+    }
+
+    /** A probability with two or three significant digits; scientific below 0.0001. */
+    public static String probability(double p) {
+        if (Double.isNaN(p)) {
+            return "-";
+        }
+        if (p >= 1) {
+            return "1";
+        }
+        return String.format(Locale.ROOT, p < 0.0001 ? "%.1e" : p < 0.001 ? "%.5f" : p < 0.1 ? "%.4f" : "%.3f", p);
+    }
+
+    /** A number with the given number of decimals; a dash for NaN. */
+    public static String decimal(double value, int decimals) {
+        return Double.isNaN(value) ? "-" : String.format(Locale.ROOT, "%." + decimals + "f", value);
+    }
+}
