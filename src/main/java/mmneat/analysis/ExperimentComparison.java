@@ -45,8 +45,9 @@ public record ExperimentComparison(boolean evaluated, ComparisonReport report, L
                 .toList();
         List<Sample> published = paper ? published(experiments) : List.of();
         if (paper && published.isEmpty()) {
-            throw new UserError("paper=true: the paper has none of these experiments; it has the methods of the blended,"
-                    + " interleaved and isolated task");
+            throw new UserError(
+                    "paper=true: the paper has none of these experiments; it has the methods of the blended,"
+                            + " interleaved and isolated task");
         }
         if (paper && !evaluated) {
             notes.add("The paper's scores are averages of 1,000 games; the last generation's are the best of few games."

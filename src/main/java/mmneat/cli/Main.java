@@ -22,7 +22,8 @@ import picocli.CommandLine.Spec;
         name = "mmneat",
         mixinStandardHelpOptions = true,
         versionProvider = Main.Version.class,
-        description = "Modular Multiobjective NEAT for Ms. Pac-Man.")
+        description = "Modular Multiobjective NEAT for Ms. Pac-Man.",
+        subcommands = {CompareCommand.class})
 public final class Main implements Runnable {
 
     @Spec

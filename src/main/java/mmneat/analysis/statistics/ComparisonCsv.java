@@ -26,7 +26,15 @@ public final class ComparisonCsv {
             if (report.comparison().isPresent()) {
                 KruskalWallis test = report.comparison().get().kruskalWallis();
                 rows.write(List.of(
-                        "Kruskal-Wallis", "all", "", test.h(), test.p(), test.p(), "df=" + test.degreesOfFreedom(), "", ""));
+                        "Kruskal-Wallis",
+                        "all",
+                        "",
+                        test.h(),
+                        test.p(),
+                        test.p(),
+                        "df=" + test.degreesOfFreedom(),
+                        "",
+                        ""));
                 for (Comparison.Pair pair : report.comparison().get().pairs()) {
                     rows.write(row("Mann-Whitney", pair, pair.test().b()));
                 }

@@ -132,7 +132,10 @@ public final class ComparisonReport {
 
     /** Everything for the terminal. */
     public String text() {
-        StringBuilder text = new StringBuilder(groups().text()).append('\n').append(overall()).append('\n');
+        StringBuilder text = new StringBuilder(groups().text())
+                .append('\n')
+                .append(overall())
+                .append('\n');
         if (comparison != null) {
             text.append("\nAll pairs: two-sided Mann-Whitney U, Bonferroni for ")
                     .append(comparison.comparisons())

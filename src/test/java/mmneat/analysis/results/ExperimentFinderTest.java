@@ -1,0 +1,105 @@
+package mmneat.analysis.results;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import mmneat.experiment.UserError;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ExperimentFinderTest {
+
+    @TempDir
+    Path base;
+
+    @Test
+    void folderOfRuns_isEveryMethod_inThePapersOrder() throws IOException {
+        RunFixture.run(base, "blended", "2M", 10, 100, 200);
+        RunFixture.run(base, "blended", "2M", 2, 100, 300);
+        RunFixture.run(base, "blended", "1M", 0, 50);
+        RunFixture.run(base, "blended", "MMD", 0, 70);
+        List<Experiment> found = ExperimentFinder.find(List.of(base.resolve("blended")));
+        assertThat(found).extracting(Experiment::label).containsExactly("1M", "MM(D)", "2M");
+        assertThat(found).extracting(Experiment::version).containsOnly("blended");
+        assertThat(found.get(2).runs()).extracting(RunResult::number).containsExactly(2, 10);
+        assertThat(found.get(2).championScores(false)).containsExactly(300, 200);
+        assertThat(found.get(2).championScoresAt(0)).containsExactly(100, 100);
+    }
+
+    @Test
+    void stem_isTheRunsThatBeginWithIt_andNoOther() throws IOException {
+        RunFixture.run(base, "interleaved", "MT", 20, 1);
+        RunFixture.run(base, "blended", "MT2", 0, 2);
+        RunFixture.run(base, "blended", "MT2", 1, 3);
+        assertThat(ExperimentFinder.find(List.of(base.resolve("interleaved/MT"))))
+                .singleElement()
+                .satisfies(e -> assertThat(e.runs())
+                        .singleElement()
+                        .extracting(RunResult::number)
+                        .isEqualTo(20));
+        assertThat(ExperimentFinder.find(List.of(base.resolve("blended/MT2"))))
+                .singleElement()
+                .satisfies(e -> {
+                    assertThat(e.method()).isEqualTo("MT2");
+                    assertThat(e.runs()).hasSize(2);
+                });
+        assertThatThrownBy(() -> ExperimentFinder.find(List.of(base.resolve("blended/MT"))))
+                .isInstanceOf(UserError.class);
+    }
+
+    @Test
+    void sameMethodOfTwoVersions_isToldApartByTheLabel() throws IOException {
+        RunFixture.run(base, "blended", "1M", 0, 1);
+        RunFixture.run(base, "isolated", "1M", 0, 1);
+        assertThat(ExperimentFinder.find(List.of(base.resolve("blended"), base.resolve("isolated"))))
+                .extracting(Experiment::label)
+                .containsExactly("blended 1M", "isolated 1M");
+    }
+
+    @Test
+    void runOfTheOriginal_isUnderstood() throws IOException {
+        Path folder = RunFixture.run(base, "onelifeconflict", "MMD", 3, 10, 20);
+        Files.delete(folder.resolve("parameters.properties"));
+        Files.writeString(
+                folder.resolve("OneLifeConflict-MMD3_parameters.txt"),
+                "runNumber:3\nmmdRate:0.1\nimprisonedWhileEdible:false\n"
+                        + "task:edu.utexas.cs.nn.tasks.mspacman.MsPacManTask\n");
+        assertThat(ExperimentFinder.find(List.of(folder))).singleElement().satisfies(e -> {
+            assertThat(e.version()).isEqualTo("blended");
+            assertThat(e.method()).isEqualTo("MMD");
+            assertThat(e.runs().get(0).lastScore()).isEqualTo(20);
+        });
+    }
+
+    @Test
+    void evaluation_isRead() throws IOException {
+        Path folder = RunFixture.run(base, "blended", "2M", 0, 10, 20);
+        RunFixture.evaluation(folder, 4321.5, 900, 100);
+        Experiment experiment = ExperimentFinder.find(List.of(folder)).get(0);
+        assertThat(experiment.isEvaluated()).isTrue();
+        assertThat(experiment.championScores(true)).containsExactly(4321.5);
+        assertThat(experiment.runs().get(0).evaluation().orElseThrow().mostUsedModulePercent())
+                .isEqualTo(90);
+    }
+
+    @Test
+    void noRuns_isAnErrorThatNamesThePath() {
+        assertThatThrownBy(() -> ExperimentFinder.find(List.of(base.resolve("nothing"))))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("nothing")
+                .hasMessageContaining("results/blended");
+    }
+
+    @Test
+    void brokenLog_isAnErrorThatNamesFileAndLine() throws IOException {
+        Path folder = RunFixture.run(base, "blended", "1M", 0, 1, 2);
+        Files.writeString(folder.resolve("blended-1M0_parents_log.txt"), "0\t1.0\n");
+        assertThatThrownBy(() -> ExperimentFinder.find(List.of(folder)))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("blended-1M0_parents_log.txt, line 1");
+    }
+}
