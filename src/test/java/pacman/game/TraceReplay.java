@@ -81,8 +81,12 @@ final class TraceReplay {
                 .build();
         traced = new TracedGame(
                 line.get("seed").asLong(), own, line.get("globalSeed").asLong());
-        assertThat(traced.drawsAtStart()).as(where()).isEqualTo(line.get("globalDrawsAtStart").asLong());
-        assertThat(traced.game.getGameState()).as(where()).isEqualTo(line.get("state").asText());
+        assertThat(traced.drawsAtStart())
+                .as(where())
+                .isEqualTo(line.get("globalDrawsAtStart").asLong());
+        assertThat(traced.game.getGameState())
+                .as(where())
+                .isEqualTo(line.get("state").asText());
     }
 
     private void probe(JsonNode line) {
@@ -92,7 +96,8 @@ final class TraceReplay {
                 line.get("method").asText(),
                 line.get("pac").asText(),
                 line.get("ghosts").asText());
-        // The original crashes when a restored game, which knows of no power pill, counts an eaten ghost for one. We play on.
+        // The original crashes when a restored game, which knows of no power pill, counts an eaten ghost for one. We
+        // play on.
         if (!line.has("throws")) {
             assertThat(actual).as(where()).isEqualTo(line);
         }

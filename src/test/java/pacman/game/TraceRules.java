@@ -26,7 +26,8 @@ final class TraceRules {
                 .activeGhosts(params.get("numActiveGhosts").asInt())
                 .preEatenPillPortion(params.get("preEatenPillPercentage").asDouble())
                 .powerPillPunishmentRate(params.get("powerPillPunishmentRate").asDouble())
-                .dieOnImproperPowerPillEating(params.get("dieOnImproperPowerPillEating").asBoolean())
+                .dieOnImproperPowerPillEating(
+                        params.get("dieOnImproperPowerPillEating").asBoolean())
                 .closeGhostDistance(params.get("closeGhostDistance").asInt())
                 .onlyMaze(params.get("justMaze").asInt())
                 .ghostLocations(ghostLocations)

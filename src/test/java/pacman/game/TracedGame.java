@@ -76,7 +76,11 @@ final class TracedGame {
             line.append(']');
         }
         append(line, game.getNumberOfActivePills());
-        line.append(",\"").append(pillChecksum()).append("\",\"").append(powerPills()).append('"');
+        line.append(",\"")
+                .append(pillChecksum())
+                .append("\",\"")
+                .append(powerPills())
+                .append('"');
         append(line, game.getTimeOfLastGlobalReversal(), game.getGhostCurrentEdibleScore(), flags());
         append(line, game.gameOver() ? 1 : 0, required());
         append(line, rawDraws(before, game.rnd), rawDraws(sharedBefore, shared));
@@ -113,7 +117,8 @@ final class TracedGame {
     }
 
     private int flags() {
-        int flags = (game.wasPacManEaten() ? 1 : 0) | (game.wasPillEaten() ? 2 : 0) | (game.wasPowerPillEaten() ? 4 : 0);
+        int flags =
+                (game.wasPacManEaten() ? 1 : 0) | (game.wasPillEaten() ? 2 : 0) | (game.wasPowerPillEaten() ? 4 : 0);
         for (GHOST ghost : GHOST.values()) {
             flags |= game.wasGhostEaten(ghost) ? 8 << ghost.ordinal() : 0;
         }
