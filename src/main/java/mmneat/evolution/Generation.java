@@ -1,6 +1,5 @@
 package mmneat.evolution;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import mmneat.neat.Offspring;
@@ -24,21 +23,19 @@ public record Generation(
         children = List.copyOf(children);
     }
 
-    /** The best of a population in something; of several equally good the last, as in the original. */
-    public static Individual best(List<Individual> population, ToDoubleFunction<Individual> score) {
-        Comparator<Individual> byScore = Comparator.comparingDouble(score);
-        return population.stream()
-                .reduce((best, next) -> byScore.compare(next, best) >= 0 ? next : best)
-                .orElseThrow();
-    }
-
-    /** The parent with the largest {@link Task#championScore}; of several the last. */
+    /** The parent with the largest {@link Task#championScore}; of several equally good the last, as in the original. */
     public Individual champion(Task task) {
         return best(parents, parent -> task.championScore(parent.evaluation()));
     }
 
-    /** The best parent in an objective; of several the last. */
-    public Individual bestParentIn(int objective) {
-        return best(parents, parent -> parent.evaluation().objectives()[objective]);
+    /** The best of a population in an objective; of several equally good the last, as in the original. */
+    public static Individual bestIn(List<Individual> population, int objective) {
+        return best(population, individual -> individual.evaluation().objectives()[objective]);
+    }
+
+    private static Individual best(List<Individual> population, ToDoubleFunction<Individual> score) {
+        return population.stream()
+                .reduce((best, next) -> score.applyAsDouble(next) >= score.applyAsDouble(best) ? next : best)
+                .orElseThrow();
     }
 }
