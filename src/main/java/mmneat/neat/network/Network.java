@@ -119,6 +119,21 @@ public final class Network {
         return new NetworkState(this, arbitration);
     }
 
+    /** New states of this network that are activated together, such as one per direction; modules by plain preference. */
+    public NetworkStates newStates(int count) {
+        return newStates(count, ModuleArbitration.PREFERENCE);
+    }
+
+    /**
+     * New states of this network that are activated together and whose modules are chosen in another way.
+     *
+     * @throws IllegalArgumentException if the arbitration does not suit the network's modules, or {@code count} is not 1 to
+     *     31
+     */
+    public NetworkStates newStates(int count, ModuleArbitration arbitration) {
+        return new NetworkStates(this, count, arbitration);
+    }
+
     /** Number of input values. */
     public int inputs() {
         return inputs;

@@ -20,10 +20,10 @@ public final class NetworkState {
     private static final double STEEP = 5;
 
     private final Network network;
-    /** Activation of each slot; of lazy neurons only where the caller asked for it. */
-    private final double[] activations;
+    /** Activation of each slot that is not lazy. */
+    final double[] activations;
     /** What recurrent links bring to each slot in this step, from the activations of the previous one. */
-    private final double[] carried;
+    final double[] carried;
 
     private final int[] moduleUsage;
     /** Sum or activation of each preference neuron while the module is chosen. */
@@ -59,6 +59,7 @@ public final class NetworkState {
      * @return the chosen module
      */
     public int activate(double[] inputs, ResumableRandom random) {
+        carry();
         for (int i = 0; i < network.inputs; i++) {
             // The pending sum of an input is 0; adding it turns -0 into 0.
             activations[i] = function(i, 0.0 + inputs[i]);
@@ -75,7 +76,7 @@ public final class NetworkState {
      * @return the chosen module, as for {@link #activate}
      */
     public int activateFrom(double[] inputActivations, int offset, ResumableRandom random) {
-        System.arraycopy(inputActivations, offset, activations, 0, network.inputs);
+        begin(inputActivations, offset);
         propagate();
         return chooseModule(random);
     }
@@ -177,10 +178,14 @@ public final class NetworkState {
         return moduleUsage.clone();
     }
 
-    /** Computes the activations of all neurons that are not lazy. */
-    private void propagate() {
+    /** First part of a step: what recurrent links and inputs bring. */
+    void begin(double[] inputActivations, int offset) {
         carry();
-        flushed = false;
+        System.arraycopy(inputActivations, offset, activations, 0, network.inputs);
+    }
+
+    /** Second part of a step: the activations of all neurons that are not lazy. */
+    void propagate() {
         if (network.functions == null) {
             for (int slot = network.inputs; slot < network.firstLazy; slot++) {
                 activations[slot] = Tanh.of(sum(slot));
@@ -194,6 +199,7 @@ public final class NetworkState {
 
     /** Sums up what recurrent links bring, before the activations that they read are overwritten. */
     private void carry() {
+        flushed = false;
         int[] targets = network.recurrentTarget;
         int[] start = network.recurrentStart;
         for (int i = 0; i < targets.length; i++) {
@@ -226,7 +232,8 @@ public final class NetworkState {
         return slot < network.firstLazy ? activations[slot] : flushed ? 0 : function(slot, sum(slot));
     }
 
-    private int chooseModule(ResumableRandom random) {
+    /** Last part of a step. */
+    int chooseModule(ResumableRandom random) {
         lastModule = arbiter != null ? arbiter.choose(this, presetModule, random) : preferredModule(random);
         moduleUsage[lastModule]++;
         return lastModule;

@@ -1,0 +1,160 @@
+package mmneat.neat.network;
+
+import mmneat.random.ResumableRandom;
+
+/**
+ * A few states of one network that are activated together, such as one per direction of movement: the same as one after
+ * the other, but faster.
+ *
+ * <p>Belongs to one thread. Stepping allocates nothing.
+ */
+public final class NetworkStates {
+
+    /*
+     * A neuron's sum and its tanh are one long chain of dependent instructions, and a neuron of a higher level waits for
+     * those below. States depend on each other in nothing: computing a neuron for two or three of them side by side gives
+     * the processor something to do meanwhile. Links are read once for all of them.
+     */
+
+    /** As many as a bit mask of an int can name. */
+    private static final int MOST = 31;
+
+    private final Network network;
+    private final NetworkState[] states;
+    /** The states of the present step, in order. */
+    private final NetworkState[] active;
+
+    NetworkStates(Network network, int count, ModuleArbitration arbitration) {
+        if (count < 1 || count > MOST) {
+            throw new IllegalArgumentException("number of states must be 1 to " + MOST + ", is " + count);
+        }
+        this.network = network;
+        states = new NetworkState[count];
+        active = new NetworkState[count];
+        for (int i = 0; i < count; i++) {
+            states[i] = new NetworkState(network, arbitration);
+        }
+    }
+
+    /** Number of states. */
+    public int size() {
+        return states.length;
+    }
+
+    /** One of the states; it may be used by itself too. */
+    public NetworkState get(int index) {
+        return states[index];
+    }
+
+    /**
+     * Makes one step in some states, each with its own inputs; exactly as {@link NetworkState#activateFrom} of one after
+     * the other by index. States that are not asked for stay as they are.
+     *
+     * @param which bit i is set if state i makes a step; a state's chosen module and answer are then read from it
+     * @param inputActivations activation of input j of state i at index {@code i * stride + j}
+     * @param stride distance between the rows of two states, at least the number of inputs
+     * @param random one {@code nextInt} is drawn per state that makes a step, by index
+     * @throws IllegalArgumentException if a bit is set for which there is no state
+     */
+    public void activate(int which, double[] inputActivations, int stride, ResumableRandom random) {
+        if (which >>> states.length != 0) {
+            throw new IllegalArgumentException(
+                    "there are " + states.length + " states, asked for those of bits " + Integer.toBinaryString(which));
+        }
+        int count = 0;
+        for (int i = 0; i < states.length; i++) {
+            if ((which >>> i & 1) != 0) {
+                states[i].begin(inputActivations, i * stride);
+                active[count++] = states[i];
+            }
+        }
+        propagate(count);
+        for (int i = 0; i < count; i++) {
+            active[i].chooseModule(random);
+        }
+    }
+
+    /** {@link NetworkState#presetModule} of every state. */
+    public void presetModule(int module) {
+        for (NetworkState state : states) {
+            state.presetModule(module);
+        }
+    }
+
+    /** {@link NetworkState#flush} of every state. */
+    public void flush() {
+        for (NetworkState state : states) {
+            state.flush();
+        }
+    }
+
+    /** {@link NetworkState#reset} of every state. */
+    public void reset() {
+        for (NetworkState state : states) {
+            state.reset();
+        }
+    }
+
+    private void propagate(int count) {
+        if (network.functions != null) {
+            for (int i = 0; i < count; i++) {
+                active[i].propagate();
+            }
+        } else if (count == 3) {
+            propagate(active[0], active[1], active[2]);
+        } else {
+            for (int i = 0; i + 1 < count; i += 2) {
+                propagate(active[i], active[i + 1]);
+            }
+            if ((count & 1) != 0) {
+                active[count - 1].propagate();
+            }
+        }
+    }
+
+    private void propagate(NetworkState a, NetworkState b) {
+        double[] activationsA = a.activations;
+        double[] activationsB = b.activations;
+        int[] start = network.forwardStart;
+        int[] sources = network.forwardSource;
+        double[] weights = network.forwardWeight;
+        for (int slot = network.inputs; slot < network.firstLazy; slot++) {
+            double sumA = a.carried[slot];
+            double sumB = b.carried[slot];
+            int end = start[slot + 1];
+            for (int link = start[slot]; link < end; link++) {
+                int source = sources[link];
+                double weight = weights[link];
+                sumA += activationsA[source] * weight;
+                sumB += activationsB[source] * weight;
+            }
+            activationsA[slot] = Tanh.of(sumA);
+            activationsB[slot] = Tanh.of(sumB);
+        }
+    }
+
+    private void propagate(NetworkState a, NetworkState b, NetworkState c) {
+        double[] activationsA = a.activations;
+        double[] activationsB = b.activations;
+        double[] activationsC = c.activations;
+        int[] start = network.forwardStart;
+        int[] sources = network.forwardSource;
+        double[] weights = network.forwardWeight;
+        for (int slot = network.inputs; slot < network.firstLazy; slot++) {
+            double sumA = a.carried[slot];
+            double sumB = b.carried[slot];
+            double sumC = c.carried[slot];
+            int end = start[slot + 1];
+            for (int link = start[slot]; link < end; link++) {
+                int source = sources[link];
+                double weight = weights[link];
+                sumA += activationsA[source] * weight;
+                sumB += activationsB[source] * weight;
+                sumC += activationsC[source] * weight;
+            }
+            activationsA[slot] = Tanh.of(sumA);
+            activationsB[slot] = Tanh.of(sumB);
+            activationsC[slot] = Tanh.of(sumC);
+        }
+    }
+}
