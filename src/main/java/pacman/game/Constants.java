@@ -73,10 +73,11 @@ public final class Constants {
     /** Height of the view in maze pixels. */
     public static final int GV_HEIGHT = 130;
 
-    /** Where the original keeps its images; our view draws its own. */
-    public static final String pathImages = "data/pacman/images";
+    /** Where the original keeps its images; our view draws its own. Entries may set it; nothing here reads it. */
+    public static String pathImages = "data/pacman/images";
 
-    public static final String[] mazeNames = {"maze-a.png", "maze-b.png", "maze-c.png", "maze-d.png"};
+    /** The original's pictures of the mazes. Entries may set them; nothing here reads them. */
+    public static String[] mazeNames = {"maze-a.png", "maze-b.png", "maze-c.png", "maze-d.png"};
 
     private Constants() {}
 

@@ -1,0 +1,263 @@
+package mmneat.cli;
+
+import java.awt.GraphicsEnvironment;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import mmneat.cli.entry.ControllerFactory;
+import mmneat.cli.entry.ControllerLoader;
+import mmneat.experiment.UserError;
+import mmneat.random.ResumableRandom;
+import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
+import pacman.ControllerFailure;
+import pacman.Executor;
+import pacman.controllers.Controller;
+import pacman.controllers.HumanController;
+import pacman.controllers.KeyBoardInput;
+import pacman.game.Constants;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+import pacman.game.GameRules;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/**
+ * Plays games between two controllers and prints what they scored.
+ *
+ * <p>Each game gets new controllers, and a seed drawn from a generator with the seed given: the same words give the same
+ * games.
+ */
+@Command(
+        name = "play",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        customSynopsis = "mmneat play [name=value...]",
+        description = {
+            "Plays games of Ms. Pac-Man between two controllers and prints score and speed.",
+            "",
+            "Example: mmneat play pacman=StarterPacMan ghosts=Legacy games=1000 seed=1",
+            "Example: mmneat play classpath=entry.jar pacman=my.Entry view=true",
+            "",
+        })
+final class PlayCommand implements Runnable, WordCommand {
+
+    private static final String HUMAN = "Human";
+    private static final int PROGRESS_SECONDS = 5;
+    private static final int LAST_LOOK_MILLISECONDS = 2000;
+
+    @Spec
+    private CommandSpec command;
+
+    @Parameters(hidden = true, paramLabel = "name=value")
+    private List<String> arguments = new ArrayList<>();
+
+    @Override
+    public List<Word> knownWords() {
+        List<Word> own = List.of(
+                new Word(
+                        "pacman",
+                        "StarterPacMan",
+                        "class of Ms. Pac-Man's controller, or " + HUMAN + " with view=true"),
+                new Word("ghosts", "Legacy", "class of the ghosts' controller"),
+                new Word(
+                        "classpath",
+                        "FILE",
+                        "jars and class folders of outside controllers, separated by " + File.pathSeparator),
+                new Word("games", "1", "number of games (default 1)"),
+                new Word("seed", "0", "seed of the games' seeds (default 0)"),
+                new Word(
+                        "timed",
+                        "true",
+                        "controllers get 40 ms per step, in threads of their own (default false: as long as they take)"),
+                new Word("view", "true", "shows the games in a window, 40 ms per step (default false)"),
+                new Word("record", "FILE", "writes a recording of the game, for the command replay"));
+        return Stream.concat(own.stream(), GameWords.KNOWN.stream()).toList();
+    }
+
+    @Override
+    public void run() {
+        Words words = Words.parse(arguments, this, 0);
+        new Contest(words, command.commandLine().getOut(), command.commandLine().getErr()).play();
+    }
+
+    /** The games of one command. */
+    private static final class Contest {
+
+        private final PrintWriter out;
+        private final PrintWriter notes;
+        private final GameRules rules;
+        private final String rulesName;
+        private final ControllerFactory<EnumMap<GHOST, MOVE>> ghosts;
+
+        /** Null if a human plays. */
+        private final ControllerFactory<MOVE> pacMan;
+
+        private final int games;
+        private final long seed;
+        private final boolean timed;
+        private final boolean view;
+
+        /** Null if the game is not recorded. */
+        private final Path recording;
+
+        private final Executor executor = new Executor();
+        private final SummaryStatistics scores = new SummaryStatistics();
+        private long steps;
+
+        Contest(Words words, PrintWriter out, PrintWriter notes) {
+            this.out = out;
+            this.notes = notes;
+            rules = GameWords.rules(words, GameRules.competition());
+            rulesName = GameWords.name(words);
+            games = words.integer("games", 1, 1, Integer.MAX_VALUE);
+            seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
+            timed = words.flag("timed", false);
+            boolean wantsView = words.flag("view", false);
+            view = wantsView && !GraphicsEnvironment.isHeadless();
+            if (wantsView && !view) {
+                notes.println("mmneat: there is no display, so the games are not shown");
+            }
+            recording = words.path("record").orElse(null);
+            ControllerLoader loader = new ControllerLoader(classPath(words));
+            String pacManName = words.text("pacman", "StarterPacMan");
+            boolean human = pacManName.equals(HUMAN) || pacManName.endsWith("HumanController");
+            if (human && !view) {
+                throw new UserError("pacman=" + pacManName + " needs view=true and a display");
+            }
+            pacMan = human ? null : loader.pacMan(pacManName);
+            ghosts = loader.ghosts(words.text("ghosts", "Legacy"));
+            requireRecordable();
+        }
+
+        private static List<Path> classPath(Words words) {
+            return words.text("classpath").stream()
+                    .flatMap(text -> Stream.of(text.split(File.pathSeparator)))
+                    .filter(place -> !place.isBlank())
+                    .map(Path::of)
+                    .toList();
+        }
+
+        private void requireRecordable() {
+            if (recording == null) {
+                return;
+            }
+            if (games != 1) {
+                throw new UserError("record=" + recording + ": one game is recorded; use games=1");
+            }
+            if (view && !timed) {
+                throw new UserError("record=" + recording + ": with view=true use timed=true too");
+            }
+            Path folder = recording.toAbsolutePath().getParent();
+            if (!Files.isDirectory(folder) || Files.isDirectory(recording)) {
+                throw new UserError("record=" + recording + ": there is no folder " + folder + ", or it is one itself");
+            }
+        }
+
+        void play() {
+            ResumableRandom seeds = new ResumableRandom(seed);
+            long start = System.nanoTime();
+            long nextProgress = start + TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
+            for (int index = 0; index < games; index++) {
+                Game game = newGame(seeds);
+                play(game, index);
+                scores.addValue(game.getScore());
+                steps += game.getTotalTime();
+                if (System.nanoTime() > nextProgress) {
+                    nextProgress += TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
+                    notes.println(String.format(
+                            Locale.ROOT, "%d of %d games, mean score %.1f", index + 1, games, scores.getMean()));
+                    notes.flush();
+                }
+            }
+            report((System.nanoTime() - start) / 1e9);
+        }
+
+        /** By MM-NEAT's rules games draw from the run's generator too; the competition's have only their own. */
+        private Game newGame(ResumableRandom seeds) {
+            return rules.conventions() == GameRules.Conventions.MM_NEAT
+                    ? new Game(seeds.nextLong(), rules, seeds)
+                    : new Game(seeds.nextLong(), rules);
+        }
+
+        private void play(Game game, int index) {
+            try {
+                Controller<MOVE> player = pacMan == null ? new HumanController(new KeyBoardInput()) : pacMan.create();
+                play(game, player, ghosts.create());
+            } catch (RuntimeException | Error failure) {
+                ControllerFailure report = ControllerFailure.in(failure).orElse(null);
+                if (report == null) {
+                    throw failure;
+                }
+                notes.println("mmneat: " + report.controllerName() + " threw an exception in game " + (index + 1)
+                        + " at time " + report.totalTime());
+                failure.printStackTrace(notes);
+                notes.flush();
+                throw new UserError(report.controllerName() + " failed: " + failure, failure);
+            }
+        }
+
+        private void play(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
+            if (recording != null) {
+                record(game, player, team);
+            } else if (timed || pacMan == null) {
+                executor.runGameTimedSpeedOptimised(player, team, view, view, game);
+            } else if (view) {
+                executor.runGame(player, team, game, true, Constants.DELAY);
+            } else {
+                executor.runExperiment(player, team, game);
+            }
+            if (view) {
+                lookAtTheEnd();
+            }
+        }
+
+        private void record(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
+            if (timed) {
+                executor.runGameTimedRecorded(game, player, team, view, recording.toString());
+                return;
+            }
+            String states = executor.runGameRecorded(player, team, game);
+            try {
+                Files.writeString(recording, states + System.lineSeparator(), StandardCharsets.UTF_8);
+            } catch (IOException e) {
+                throw new UserError("record: cannot write " + recording + ": " + GameWords.reason(e), e);
+            }
+        }
+
+        private static void lookAtTheEnd() {
+            try {
+                Thread.sleep(LAST_LOOK_MILLISECONDS);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        private void report(double seconds) {
+            String player = pacMan == null ? HUMAN : pacMan.simpleName();
+            out.println(player + " against " + ghosts.simpleName() + ", " + games + (games == 1 ? " game" : " games")
+                    + ", seed " + seed + ", rules " + rulesName + (timed ? ", timed" : ""));
+            out.println(String.format(
+                    Locale.ROOT,
+                    "score: mean %.1f, standard deviation %s, minimum %.0f, maximum %.0f",
+                    scores.getMean(),
+                    games == 1 ? "-" : String.format(Locale.ROOT, "%.1f", scores.getStandardDeviation()),
+                    scores.getMin(),
+                    scores.getMax()));
+            out.println(
+                    String.format(Locale.ROOT, "steps: %d, %.0f per second", steps, steps / Math.max(seconds, 1e-9)));
+            out.flush();
+        }
+    }
+}

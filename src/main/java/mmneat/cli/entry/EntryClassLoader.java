@@ -1,0 +1,152 @@
+package mmneat.cli.entry;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.util.Optional;
+import org.objectweb.asm.ClassReader;
+import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.commons.ClassRemapper;
+import org.objectweb.asm.commons.Remapper;
+import pacman.controllers.Controller;
+
+/**
+ * Loads one entry of the competition: its own classes from its jar or class folder, the programming interface from us.
+ *
+ * <p>An entry is often packed together with the simulator that it was written for. Were its own copy of {@code
+ * pacman.game.Game} used, the entry would not fit our games; so every class that we have below {@code pacman} is ours,
+ * except {@code pacman.entries}, where the entries themselves live. Everything else comes from the entry first, so that
+ * two entries, or an entry and this program, may use different versions of a library.
+ *
+ * <p>A copy of the simulator may also stand in another package, say {@code edu.example.pacman.controllers.Controller}.
+ * The entry's superclasses tell: a superclass whose name ends as one of ours does gives away the package, and all names
+ * below it that we have too are renamed in the entry's byte code as it is loaded. (By ASM, the library that the JDK and
+ * most build tools use for this; it is small, and follows every Java version.) Names inside strings, as for {@code
+ * Class.forName}, are not renamed.
+ */
+final class EntryClassLoader extends URLClassLoader {
+
+    /** Package of the programming interface, in the form of class files. */
+    private static final String API = "pacman/";
+
+    private static final String ENTRIES = "pacman.entries.";
+
+    private static final ClassLoader OURS = Controller.class.getClassLoader();
+
+    private final String entryName;
+
+    /** Package in which the entry expects the programming interface, in the form of class files, with a slash behind. */
+    private final String expectedApi;
+
+    EntryClassLoader(URL[] places, String entryName) {
+        super("entry " + entryName, places, ClassLoader.getPlatformClassLoader());
+        this.entryName = entryName;
+        expectedApi = findExpectedApi().orElse(API);
+    }
+
+    /** Whether a class is part of our programming interface and so never taken from an entry. */
+    static boolean isOurs(String className) {
+        boolean ourPackage =
+                className.startsWith("pacman.") && !className.startsWith(ENTRIES) || className.startsWith("mmneat.");
+        return ourPackage && OURS.getResource(fileOf(className)) != null;
+    }
+
+    Class<?> loadEntry() {
+        try {
+            return loadClass(entryName);
+        } catch (ClassNotFoundException e) {
+            throw new NoClassDefFoundError(e.getMessage());
+        }
+    }
+
+    /** Whether the entry extends a controller of the programming interface, as far as its class files tell. */
+    boolean isController() {
+        return findExpectedApi().isPresent();
+    }
+
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+        synchronized (getClassLoadingLock(name)) {
+            Class<?> type = findLoadedClass(name);
+            if (type == null) {
+                type = isOurs(name) ? OURS.loadClass(name) : loadOther(name);
+            }
+            if (resolve) {
+                resolveClass(type);
+            }
+            return type;
+        }
+    }
+
+    /** From the JDK, from the entry, or, if the entry builds on our skeletons, from us. */
+    private Class<?> loadOther(String name) throws ClassNotFoundException {
+        try {
+            return super.loadClass(name, false);
+        } catch (ClassNotFoundException e) {
+            if (name.startsWith(ENTRIES)) {
+                return OURS.loadClass(name);
+            }
+            throw e;
+        }
+    }
+
+    @Override
+    protected Class<?> findClass(String name) throws ClassNotFoundException {
+        if (expectedApi.equals(API)) {
+            return super.findClass(name);
+        }
+        byte[] original = classFile(name).orElseThrow(() -> new ClassNotFoundException(name));
+        ClassWriter renamed = new ClassWriter(0);
+        new ClassReader(original).accept(new ClassRemapper(renamed, new ToOurs()), 0);
+        byte[] bytes = renamed.toByteArray();
+        return defineClass(name, bytes, 0, bytes.length);
+    }
+
+    /** Renames what we have too; the entry's own classes keep their names. */
+    private final class ToOurs extends Remapper {
+        @Override
+        public String map(String internalName) {
+            if (internalName.startsWith(expectedApi)) {
+                String ours = API + internalName.substring(expectedApi.length());
+                if (isOurs(ours.replace('/', '.'))) {
+                    return ours;
+                }
+            }
+            return internalName;
+        }
+    }
+
+    /** Climbs the entry's superclasses to the first that is named like a controller of ours. */
+    private Optional<String> findExpectedApi() {
+        String name = entryName.replace('.', '/');
+        while (name != null && !name.startsWith("java/")) {
+            int end = name.lastIndexOf("controllers/");
+            boolean wholeWord = end == 0 || end > 0 && name.charAt(end - 1) == '/';
+            if (wholeWord && isOurs((API + name.substring(end)).replace('/', '.'))) {
+                return Optional.of(name.substring(0, end));
+            }
+            name = classFile(name.replace('/', '.'))
+                    .map(bytes -> new ClassReader(bytes).getSuperName())
+                    .orElse(null);
+        }
+        return Optional.empty();
+    }
+
+    private Optional<byte[]> classFile(String className) {
+        URL resource = findResource(fileOf(className));
+        if (resource == null) {
+            return Optional.empty();
+        }
+        try (InputStream file = resource.openStream()) {
+            return Optional.of(file.readAllBytes());
+        } catch (IOException e) {
+            throw new UncheckedIOException("could not read " + resource, e);
+        }
+    }
+
+    private static String fileOf(String className) {
+        return className.replace('.', '/') + ".class";
+    }
+}

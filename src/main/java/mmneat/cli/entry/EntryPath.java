@@ -1,0 +1,124 @@
+package mmneat.cli.entry;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.jar.JarFile;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import mmneat.experiment.UserError;
+
+/** The jars and class folders that a user names, and the classes in them. */
+final class EntryPath {
+
+    private static final String CLASS_FILE = ".class";
+
+    private final List<Path> places;
+    private final URL[] urls;
+
+    /** Names of all classes found, in order. */
+    private final TreeSet<String> classNames = new TreeSet<>();
+
+    EntryPath(List<Path> places) {
+        this.places = places;
+        List<URL> urls = new ArrayList<>();
+        for (Path place : places) {
+            classNames.addAll(classesIn(place));
+            try {
+                urls.add(place.toUri().toURL());
+            } catch (MalformedURLException e) {
+                throw new UserError("classpath: cannot use " + place + ": " + e.getMessage(), e);
+            }
+        }
+        this.urls = urls.toArray(URL[]::new);
+    }
+
+    boolean isEmpty() {
+        return places.isEmpty();
+    }
+
+    /**
+     * The classes on this path that {@code name} may mean: the one with exactly this name, or those whose name without
+     * the package is it. Copies of our own interface and examples do not count.
+     */
+    List<String> classesNamed(String name) {
+        List<String> candidates = classNames.stream()
+                .filter(found -> !EntryClassLoader.isOurs(found))
+                .toList();
+        return candidates.contains(name)
+                ? List.of(name)
+                : candidates.stream()
+                        .filter(found -> simpleName(found).equals(name))
+                        .toList();
+    }
+
+    /** Loads a class of this path, in a class loader of its own. */
+    Class<?> load(String className) {
+        return new EntryClassLoader(urls, className).loadEntry();
+    }
+
+    /** The classes on this path that extend our Controller, in order. */
+    List<String> controllerNames() {
+        return classNames.stream()
+                .filter(name -> !EntryClassLoader.isOurs(name))
+                .filter(name -> new EntryClassLoader(urls, name).isController())
+                .toList();
+    }
+
+    @Override
+    public String toString() {
+        return places.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
+    }
+
+    private static String simpleName(String className) {
+        return className.substring(className.lastIndexOf('.') + 1);
+    }
+
+    private static List<String> classesIn(Path place) {
+        if (!Files.exists(place)) {
+            throw new UserError("classpath: there is no file or folder " + place);
+        }
+        try {
+            return Files.isDirectory(place) ? classesInFolder(place) : classesInJar(place);
+        } catch (IOException e) {
+            throw new UserError("classpath: " + place + " is not a readable jar or class folder: " + e.getMessage(), e);
+        }
+    }
+
+    private static List<String> classesInFolder(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.map(file -> folder.relativize(file).toString().replace(File.separatorChar, '/'))
+                    .filter(EntryPath::isClassFile)
+                    .map(EntryPath::className)
+                    .toList();
+        }
+    }
+
+    private static List<String> classesInJar(Path jar) throws IOException {
+        try (JarFile file = new JarFile(jar.toFile())) {
+            return file.stream()
+                    .map(ZipEntry::getName)
+                    .filter(EntryPath::isClassFile)
+                    .map(EntryPath::className)
+                    .toList();
+        }
+    }
+
+    private static boolean isClassFile(String path) {
+        return path.endsWith(CLASS_FILE)
+                && !path.startsWith("META-INF/")
+                && !path.endsWith("module-info.class")
+                && !path.endsWith("package-info.class");
+    }
+
+    private static String className(String path) {
+        return path.substring(0, path.length() - CLASS_FILE.length()).replace('/', '.');
+    }
+}

@@ -1,0 +1,256 @@
+package pacman;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.EnumMap;
+import java.util.function.Consumer;
+import mmneat.random.ResumableRandom;
+import pacman.controllers.Controller;
+import pacman.controllers.HumanController;
+import pacman.controllers.examples.Legacy;
+import pacman.controllers.examples.StarterPacMan;
+import pacman.game.Constants;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+import pacman.game.GameRules;
+import pacman.game.GameView;
+
+/**
+ * Plays games between two controllers: untimed, timed, shown, recorded.
+ *
+ * <p>In untimed games an exception of a controller leaves the method; it carries a {@link ControllerFailure} that names
+ * the controller. In timed games it ends the controller's thread, whose name Java prints with it, and the game goes on
+ * with the last answer. Views are shown where there is a display, otherwise games are played unseen.
+ *
+ * <p>Source: the competition's programming interface, release 6.2, and the variants that MM-NEAT added, which take the
+ * game to play; spec/controllers.md, section 6.
+ */
+public class Executor {
+
+    /** Seed of the games' seeds in a batch. */
+    private static final long BATCH_SEED = 0;
+
+    private static final Consumer<Game> NOTHING = game -> {};
+
+    /** Shows a game of {@link StarterPacMan} against {@link Legacy}. */
+    public static void main(String[] arguments) {
+        new Executor().runGameTimed(new StarterPacMan(), new Legacy(), true);
+    }
+
+    // ------------------------------------------------------------------------------------------- untimed games
+
+    /** Plays games with fixed seeds and prints the score of each, and at the end their mean. */
+    public void runExperiment(
+            Controller<MOVE> pacManController, Controller<EnumMap<GHOST, MOVE>> ghostController, int trials) {
+        ResumableRandom seeds = new ResumableRandom(BATCH_SEED);
+        UntimedRun run = new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.PER_CONTROLLER);
+        double sum = 0;
+        for (int trial = 0; trial < trials; trial++) {
+            Game game = new Game(seeds.nextLong());
+            run.play(game);
+            sum += game.getScore();
+            System.out.println(trial + "\t" + game.getScore());
+        }
+        System.out.println(sum / trials);
+    }
+
+    /** Plays the given game to its end. */
+    public void runExperiment(
+            Controller<MOVE> pacManController, Controller<EnumMap<GHOST, MOVE>> ghostController, Game game) {
+        new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.ONCE_PER_TICK).play(game);
+    }
+
+    /** Plays a game with seed 0, and waits {@code delay} ms after each tick. */
+    public void runGame(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            boolean visual,
+            int delay) {
+        runGame(pacManController, ghostController, new Game(0), visual, delay);
+    }
+
+    /** Plays the given game, and waits {@code delay} ms after each tick; an interrupt ends the waiting. */
+    public void runGame(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            Game game,
+            boolean visual,
+            int delay) {
+        Consumer<Game> show = painter(visual ? new GameView(game).showGame() : null);
+        new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.NONE).play(game, state -> {
+            pause(delay);
+            show.accept(state);
+        });
+    }
+
+    /** Plays the given game as fast as the controllers answer, and returns its recording: see {@link #saveToFile}. */
+    public String runGameRecorded(
+            Controller<MOVE> pacManController, Controller<EnumMap<GHOST, MOVE>> ghostController, Game game) {
+        Recording.Recorder recording = new Recording.Recorder();
+        new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.ONCE_PER_TICK).play(game, recording::add);
+        return recording.text();
+    }
+
+    // ------------------------------------------------------------------------------------------- timed games
+
+    /** Plays a game with seed 0 at 40 ms per tick. */
+    public void runGameTimed(
+            Controller<MOVE> pacManController, Controller<EnumMap<GHOST, MOVE>> ghostController, boolean visual) {
+        runGameTimed(pacManController, ghostController, visual, new Game(0));
+    }
+
+    /** Plays the given game at 40 ms per tick, closes the window, and returns the game. */
+    public Game runGameTimed(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            boolean visual,
+            Game game) {
+        GameView view = visual ? window(game, pacManController) : null;
+        new TimedRun(pacManController, ghostController, TimedRun.Waiting.FULL_DELAY).play(game, painter(view));
+        if (view != null && view.getFrame() != null) {
+            view.getFrame().dispose();
+        }
+        return game;
+    }
+
+    /** Plays a game with seed 0 in which a tick ends when both controllers have answered, or after 40 ms. */
+    public void runGameTimedSpeedOptimised(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            boolean fixedTime,
+            boolean visual) {
+        runGameTimedSpeedOptimised(pacManController, ghostController, fixedTime, visual, new Game(0));
+    }
+
+    /**
+     * Plays the given game; a tick ends when both controllers have answered, or after 40 ms.
+     *
+     * @param fixedTime whether a tick lasts the full 40 ms all the same
+     */
+    public void runGameTimedSpeedOptimised(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            boolean fixedTime,
+            boolean visual,
+            Game game) {
+        TimedRun.Waiting waiting = fixedTime ? TimedRun.Waiting.FIXED_TIME : TimedRun.Waiting.UNTIL_ANSWERED;
+        GameView view = visual ? window(game, pacManController) : null;
+        new TimedRun(pacManController, ghostController, waiting).play(game, painter(view));
+    }
+
+    /** Plays a game with seed 0 at 40 ms per tick and writes its recording. */
+    public void runGameTimedRecorded(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            boolean visual,
+            String fileName) {
+        runGameTimedRecorded(new Game(0), pacManController, ghostController, visual, fileName);
+    }
+
+    /** Plays the given game at 40 ms per tick and writes its recording. */
+    public void runGameTimedRecorded(
+            Game game,
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            boolean visual,
+            String fileName) {
+        Recording.Recorder recording = new Recording.Recorder();
+        Consumer<Game> show = painter(visual ? window(game, pacManController) : null);
+        new TimedRun(pacManController, ghostController, TimedRun.Waiting.FULL_DELAY).play(game, state -> {
+            recording.add(state);
+            show.accept(state);
+        });
+        saveToFile(recording.text(), fileName, false);
+    }
+
+    // ------------------------------------------------------------------------------------------- replay
+
+    /** Shows a recording at 40 ms per tick. */
+    public void replayGame(String fileName, boolean visual) {
+        replayGame(fileName, visual, Constants.DELAY);
+    }
+
+    /** Shows a recording at {@code delay} ms per tick. */
+    public void replayGame(String fileName, boolean visual, int delay) {
+        try {
+            Recording recording = Recording.load(Path.of(fileName));
+            replayGame(recording, recording.rules(), visual, delay);
+        } catch (IOException e) {
+            throw new UncheckedIOException("could not read the recording " + fileName, e);
+        }
+    }
+
+    /**
+     * Shows a recording, up to the first state in which the last level is over.
+     *
+     * @param rules of the recorded game, or at least with its mazes
+     * @param delay milliseconds per tick
+     * @return a game in the last state shown
+     * @throws IllegalArgumentException if a state cannot be read, or belongs to other mazes
+     */
+    public Game replayGame(Recording recording, GameRules rules, boolean visual, int delay) {
+        Game game = new Game(0, rules);
+        GameView view = null;
+        for (String state : recording.states()) {
+            game.setGameState(state);
+            if (game.getCurrentLevel() >= rules.maximumLevel()) {
+                break;
+            }
+            if (visual) {
+                view = view == null ? new GameView(game).showGame() : view;
+                view.repaint();
+            }
+            pause(delay);
+        }
+        return game;
+    }
+
+    // ------------------------------------------------------------------------------------------- parts
+
+    /**
+     * Writes data and a line end to a file; a failure is printed.
+     *
+     * @param append whether to keep what the file holds already
+     */
+    public static void saveToFile(String data, String fileName, boolean append) {
+        try {
+            Files.writeString(
+                    Path.of(fileName),
+                    data + System.lineSeparator(),
+                    StandardCharsets.UTF_8,
+                    StandardOpenOption.CREATE,
+                    StandardOpenOption.WRITE,
+                    append ? StandardOpenOption.APPEND : StandardOpenOption.TRUNCATE_EXISTING);
+        } catch (IOException e) {
+            System.out.println("Could not save data!");
+            System.err.println(fileName + ": " + e);
+        }
+    }
+
+    /** Opens a window; a human's key presses are taken from it. */
+    private static GameView window(Game game, Controller<MOVE> pacManController) {
+        GameView view = new GameView(game).showGame();
+        if (view.getFrame() != null && pacManController instanceof HumanController human) {
+            view.getFrame().addKeyListener(human.getKeyboardInput());
+        }
+        return view;
+    }
+
+    /** Unlike the original this one paints the last state too, as release 6.2 did. */
+    private static Consumer<Game> painter(GameView view) {
+        return view == null || view.getFrame() == null ? NOTHING : game -> view.repaint();
+    }
+
+    private static void pause(int milliseconds) {
+        try {
+            Thread.sleep(milliseconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

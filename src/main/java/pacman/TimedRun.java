@@ -1,0 +1,86 @@
+package pacman;
+
+import java.util.EnumMap;
+import java.util.function.Consumer;
+import pacman.controllers.Controller;
+import pacman.game.Constants;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * A game in real time: both controllers compute in threads of their own, and when the time of a tick is over the game
+ * advances by the answers that they have stored by then.
+ *
+ * <p>Source: spec/controllers.md, sections 2 and 6.2. An interrupt ends the game early (the original goes on).
+ */
+final class TimedRun {
+
+    /** How long a tick waits for the controllers. */
+    enum Waiting {
+        /** Always the full {@value Constants#DELAY} ms. */
+        FULL_DELAY,
+        /** Until both have answered, at most {@value Constants#DELAY} looks {@value Constants#INTERVAL_WAIT} ms apart. */
+        UNTIL_ANSWERED,
+        /** As {@link #UNTIL_ANSWERED}, then the rest of the delay if both answered in time. */
+        FIXED_TIME
+    }
+
+    private final Controller<MOVE> pacMan;
+    private final Controller<EnumMap<GHOST, MOVE>> ghosts;
+    private final Waiting waiting;
+
+    TimedRun(Controller<MOVE> pacMan, Controller<EnumMap<GHOST, MOVE>> ghosts, Waiting waiting) {
+        this.pacMan = pacMan;
+        this.ghosts = ghosts;
+        this.waiting = waiting;
+    }
+
+    /**
+     * Plays until the game is over; then both controllers are terminated, after one more decision.
+     *
+     * @param afterTick called after each tick with the game
+     */
+    void play(Game game, Consumer<Game> afterTick) {
+        supervise(pacMan);
+        supervise(ghosts);
+        try {
+            while (!game.gameOver()) {
+                pacMan.update(game.copy(), System.currentTimeMillis() + Constants.DELAY);
+                ghosts.update(game.copy(), System.currentTimeMillis() + Constants.DELAY);
+                await();
+                game.advanceGame(pacMan.getMove(), ghosts.getMove());
+                afterTick.accept(game);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            pacMan.terminate();
+            ghosts.terminate();
+        }
+    }
+
+    private static void supervise(Controller<?> controller) {
+        Thread supervisor =
+                new Thread(controller, "supervisor of " + controller.getClass().getName());
+        supervisor.setDaemon(true);
+        supervisor.start();
+    }
+
+    private void await() throws InterruptedException {
+        if (waiting == Waiting.FULL_DELAY) {
+            Thread.sleep(Constants.DELAY);
+            return;
+        }
+        int looks = Constants.DELAY / Constants.INTERVAL_WAIT;
+        for (int look = 0; look < looks; look++) {
+            Thread.sleep(Constants.INTERVAL_WAIT);
+            if (pacMan.hasComputed() && ghosts.hasComputed()) {
+                if (waiting == Waiting.FIXED_TIME) {
+                    Thread.sleep((long) (looks - look) * Constants.INTERVAL_WAIT);
+                }
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,31 @@
+package pacman.controllers;
+
+import java.awt.event.KeyEvent;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/** Ms. Pac-Man moved by the arrow keys. The executor attaches {@link #input} to the game's window in timed games. */
+public class HumanController extends Controller<MOVE> {
+
+    /** Where the key presses come from; public in the competition's interface. */
+    public KeyBoardInput input;
+
+    public HumanController(KeyBoardInput input) {
+        this.input = input;
+    }
+
+    public KeyBoardInput getKeyboardInput() {
+        return input;
+    }
+
+    @Override
+    public MOVE getMove(Game game, long timeDue) {
+        return switch (input.getKey()) {
+            case KeyEvent.VK_UP -> MOVE.UP;
+            case KeyEvent.VK_RIGHT -> MOVE.RIGHT;
+            case KeyEvent.VK_DOWN -> MOVE.DOWN;
+            case KeyEvent.VK_LEFT -> MOVE.LEFT;
+            default -> MOVE.NEUTRAL;
+        };
+    }
+}

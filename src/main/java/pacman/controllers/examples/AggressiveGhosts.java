@@ -1,0 +1,37 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.DM;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * Each ghost heads for Ms. Pac-Man with a certain probability and moves at random otherwise. Source: spec/controllers.md,
+ * section 5.2.
+ */
+public final class AggressiveGhosts extends GhostTeam {
+
+    /** Default of the original's parameter {@code aggressiveGhostConsistency}. */
+    private static final double DEFAULT_CONSISTENCY = 0.9;
+
+    private final double consistency;
+
+    /** Ghosts that head for Ms. Pac-Man in nine of ten decisions. */
+    public AggressiveGhosts() {
+        this(DEFAULT_CONSISTENCY);
+    }
+
+    /** @param consistency probability of heading for Ms. Pac-Man, in [0, 1] */
+    public AggressiveGhosts(double consistency) {
+        if (!(consistency >= 0 && consistency <= 1)) {
+            throw new IllegalArgumentException("consistency must be in [0, 1], is " + consistency);
+        }
+        this.consistency = consistency;
+    }
+
+    @Override
+    MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
+        return random.nextFloat() < consistency ? towardsPacMan(game, ghost, DM.PATH) : randomMove(random);
+    }
+}

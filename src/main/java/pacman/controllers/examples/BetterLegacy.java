@@ -1,0 +1,29 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.DM;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/** As {@link Legacy}, with exact path distances that forbid reversing on the whole way. Source: spec/controllers.md, section 5.2. */
+public class BetterLegacy extends Legacy {
+
+    @Override
+    MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
+        return switch (ghost) {
+            case BLINKY -> exactlyTowardsPacMan(game, ghost, DM.PATH);
+            case INKY -> exactlyTowardsPacMan(game, ghost, DM.MANHATTAN);
+            case PINKY -> exactlyTowardsPacMan(game, ghost, DM.EUCLID);
+            case SUE -> randomMove(random);
+        };
+    }
+
+    private static MOVE exactlyTowardsPacMan(Game game, GHOST ghost, DM measure) {
+        return game.getNextMoveTowardsTarget(
+                game.getGhostCurrentNodeIndex(ghost),
+                game.getPacmanCurrentNodeIndex(),
+                game.getGhostLastMoveMade(ghost),
+                measure);
+    }
+}

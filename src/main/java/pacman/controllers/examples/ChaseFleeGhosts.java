@@ -1,0 +1,17 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/** As {@link Legacy}, but an edible BLINKY, INKY or PINKY flees; SUE is always random. Source: spec/controllers.md, section 5.2. */
+public class ChaseFleeGhosts extends Legacy {
+
+    @Override
+    MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
+        return ghost != GHOST.SUE && game.isGhostEdible(ghost)
+                ? awayFromPacMan(game, ghost)
+                : super.choose(game, ghost, random);
+    }
+}

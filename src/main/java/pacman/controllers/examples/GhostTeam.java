@@ -1,0 +1,99 @@
+package pacman.controllers.examples;
+
+import java.util.EnumMap;
+import mmneat.random.ResumableRandom;
+import pacman.controllers.NewGhostController;
+import pacman.controllers.ReadOnlyController;
+import pacman.game.Constants.DM;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * What the example ghost teams share: each ghost that requires an action is asked in turn, and the answers go into one
+ * map that the team owns and reuses. Source: spec/controllers.md, section 5.1.
+ */
+abstract class GhostTeam extends NewGhostController implements ReadOnlyController<EnumMap<GHOST, MOVE>> {
+
+    private static final GHOST[] ENUM_ORDER = GHOST.values();
+    private static final MOVE[] MOVES = MOVE.values();
+
+    private EnumMap<GHOST, MOVE> moves = new EnumMap<>(GHOST.class);
+
+    /** The move of a ghost that requires an action. */
+    abstract MOVE choose(Game game, GHOST ghost, ResumableRandom random);
+
+    /** The order in which the ghosts are asked, which is the order of their draws. */
+    GHOST[] order() {
+        return ENUM_ORDER;
+    }
+
+    /** Whether the map is emptied before each decision; if not, it keeps the moves of ghosts that are not asked. */
+    boolean forgetsLastMoves() {
+        return true;
+    }
+
+    @Override
+    public EnumMap<GHOST, MOVE> getMove(Game game, long timeDue) {
+        return decide(game, game.rnd);
+    }
+
+    @Override
+    public EnumMap<GHOST, MOVE> decide(Game game, ResumableRandom random) {
+        if (forgetsLastMoves()) {
+            moves.clear();
+        }
+        for (GHOST ghost : order()) {
+            if (game.doesGhostRequireAction(ghost)) {
+                moves.put(ghost, choose(game, ghost, random));
+            }
+        }
+        return moves;
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        forgetMap();
+    }
+
+    /** A new map: the old one stays as the last game left it. */
+    final void forgetMap() {
+        moves = new EnumMap<>(GHOST.class);
+    }
+
+    /** The direction, without reversing, whose next node has the smallest plain distance to Ms. Pac-Man. */
+    static MOVE towardsPacMan(Game game, GHOST ghost, DM measure) {
+        return game.getApproximateNextMoveTowardsTarget(
+                game.getGhostCurrentNodeIndex(ghost),
+                game.getPacmanCurrentNodeIndex(),
+                game.getGhostLastMoveMade(ghost),
+                measure);
+    }
+
+    /** The direction, without reversing, whose next node has the largest plain path distance to Ms. Pac-Man. */
+    static MOVE awayFromPacMan(Game game, GHOST ghost) {
+        return game.getApproximateNextMoveAwayFromTarget(
+                game.getGhostCurrentNodeIndex(ghost),
+                game.getPacmanCurrentNodeIndex(),
+                game.getGhostLastMoveMade(ghost),
+                DM.PATH);
+    }
+
+    /** One of the five moves, NEUTRAL and the forbidden reverse included. */
+    static MOVE randomMove(ResumableRandom random) {
+        return MOVES[random.nextInt(MOVES.length)];
+    }
+
+    /** Whether an available power pill is nearer to Ms. Pac-Man than {@code radius}, in steps of the shortest path. */
+    static boolean isPacManNearPowerPill(Game game, int radius) {
+        int pacMan = game.getPacmanCurrentNodeIndex();
+        int[] powerPills = game.getPowerPillIndices();
+        for (int i = 0; i < powerPills.length; i++) {
+            if (game.isPowerPillStillAvailable(i) && game.getShortestPathDistance(powerPills[i], pacMan) < radius) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,23 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.controllers.Controller;
+import pacman.controllers.ReadOnlyController;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/** Ms. Pac-Man heads for the nearest pill or power pill and ignores the ghosts. Source: spec/controllers.md, section 5.5. */
+public class NearestPillPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
+
+    private final PillsByDistance pills = new PillsByDistance();
+
+    @Override
+    public MOVE getMove(Game game, long timeDue) {
+        return decide(game, game.rnd);
+    }
+
+    @Override
+    public MOVE decide(Game game, ResumableRandom random) {
+        return pills.moveTowardsNearest(game);
+    }
+}

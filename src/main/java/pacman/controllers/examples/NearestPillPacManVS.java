@@ -1,0 +1,31 @@
+package pacman.controllers.examples;
+
+import java.awt.Color;
+import pacman.controllers.Controller;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+import pacman.game.GameView;
+
+/**
+ * As {@link NearestPillPacMan}, and shows how to draw into the view: BLINKY's way to the first power pill, in red if it
+ * might reverse and in yellow as it may really go. Source: spec/controllers.md, section 5.5.
+ */
+public final class NearestPillPacManVS extends Controller<MOVE> {
+
+    private final PillsByDistance pills = new PillsByDistance();
+
+    @Override
+    public MOVE getMove(Game game, long timeDue) {
+        int[] powerPills = game.getActivePowerPillsIndices();
+        if (game.getGhostLairTime(GHOST.BLINKY) == 0 && powerPills.length > 0) {
+            int blinky = game.getGhostCurrentNodeIndex(GHOST.BLINKY);
+            GameView.addPoints(game, Color.RED, game.getShortestPath(blinky, powerPills[0], MOVE.NEUTRAL));
+            GameView.addPoints(
+                    game,
+                    Color.YELLOW,
+                    game.getShortestPath(blinky, powerPills[0], game.getGhostLastMoveMade(GHOST.BLINKY)));
+        }
+        return pills.moveTowardsNearest(game);
+    }
+}

@@ -1,0 +1,17 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * Each ghost that may choose draws one of the five moves. Source: spec/controllers.md, section 5.2.
+ */
+public final class RandomGhosts extends GhostTeam {
+
+    @Override
+    MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
+        return randomMove(random);
+    }
+}

@@ -1,0 +1,25 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.controllers.Controller;
+import pacman.controllers.ReadOnlyController;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * Ms. Pac-Man draws one of the directions open to her, except the way she came from. Source: spec/controllers.md,
+ * section 5.5.
+ */
+public final class RandomNonRevPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
+
+    @Override
+    public MOVE getMove(Game game, long timeDue) {
+        return decide(game, game.rnd);
+    }
+
+    @Override
+    public MOVE decide(Game game, ResumableRandom random) {
+        MOVE[] possible = game.getPossibleMoves(game.getPacmanCurrentNodeIndex(), game.getPacmanLastMoveMade());
+        return possible[random.nextInt(possible.length)];
+    }
+}

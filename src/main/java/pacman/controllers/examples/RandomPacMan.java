@@ -1,0 +1,21 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.controllers.Controller;
+import pacman.controllers.ReadOnlyController;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/** Ms. Pac-Man draws one of the five moves in every step. Source: spec/controllers.md, section 5.5. */
+public final class RandomPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
+
+    @Override
+    public MOVE getMove(Game game, long timeDue) {
+        return decide(game, game.rnd);
+    }
+
+    @Override
+    public MOVE decide(Game game, ResumableRandom random) {
+        return GhostTeam.randomMove(random);
+    }
+}

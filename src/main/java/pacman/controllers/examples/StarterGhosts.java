@@ -1,0 +1,43 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.DM;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * Ghosts that flee when they are edible or Ms. Pac-Man is near a power pill, attack mostly, and wander sometimes. Source:
+ * spec/controllers.md, section 5.3.
+ */
+public final class StarterGhosts extends GhostTeam {
+
+    /** Probability of attacking where nothing speaks against it. */
+    private static final float ATTACK_PROBABILITY = 0.9f;
+
+    /** Ms. Pac-Man is near a power pill if it is nearer than this, in steps. */
+    private static final int POWER_PILL_RADIUS = 15;
+
+    @Override
+    MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
+        if (game.getGhostEdibleTime(ghost) > 0 || isPacManNearPowerPill(game, POWER_PILL_RADIUS)) {
+            return awayFromPacMan(game, ghost);
+        }
+        if (random.nextFloat() < ATTACK_PROBABILITY) {
+            return towardsPacMan(game, ghost, DM.PATH);
+        }
+        MOVE[] possible = game.getPossibleMoves(game.getGhostCurrentNodeIndex(ghost), game.getGhostLastMoveMade(ghost));
+        return possible[random.nextInt(possible.length)];
+    }
+
+    @Override
+    boolean forgetsLastMoves() {
+        return false;
+    }
+
+    /** Quirk: unlike the other teams this one is not revived, and so decides nothing in a second timed game. */
+    @Override
+    public void reset() {
+        forgetMap();
+    }
+}

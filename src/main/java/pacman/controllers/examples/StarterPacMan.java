@@ -1,0 +1,73 @@
+package pacman.controllers.examples;
+
+import mmneat.random.ResumableRandom;
+import pacman.controllers.NewPacManController;
+import pacman.controllers.ReadOnlyController;
+import pacman.game.Constants.DM;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * Ms. Pac-Man runs from the first near ghost, else chases the nearest edible ghost, else goes for the nearest pill.
+ * Source: spec/controllers.md, section 5.5.
+ */
+public class StarterPacMan extends NewPacManController implements ReadOnlyController<MOVE> {
+
+    /** A ghost nearer than this is run away from, in steps. */
+    private static final int MINIMUM_DISTANCE = 20;
+
+    private static final GHOST[] GHOSTS = GHOST.values();
+
+    private final PillsByDistance pills = new PillsByDistance();
+
+    @Override
+    public MOVE getMove(Game game, long timeDue) {
+        return decide(game, game.rnd);
+    }
+
+    @Override
+    public MOVE decide(Game game, ResumableRandom random) {
+        int position = game.getPacmanCurrentNodeIndex();
+        for (GHOST ghost : GHOSTS) {
+            if (game.getGhostEdibleTime(ghost) == 0 && game.getGhostLairTime(ghost) == 0) {
+                int node = game.getGhostCurrentNodeIndex(ghost);
+                if (game.getShortestPathDistance(position, node) < MINIMUM_DISTANCE) {
+                    return game.getNextMoveAwayFromTarget(position, node, DM.PATH);
+                }
+            }
+        }
+        int prey = nearestEdibleGhost(game, position);
+        if (prey >= 0) {
+            return game.getNextMoveTowardsTarget(position, prey, DM.PATH);
+        }
+        return pills.moveTowardsNearest(game);
+    }
+
+    /** The node of the nearest edible ghost, the first of equals; -1 if no ghost is edible. */
+    private static int nearestEdibleGhost(Game game, int position) {
+        int nearest = -1;
+        int smallest = Integer.MAX_VALUE;
+        for (GHOST ghost : GHOSTS) {
+            if (game.getGhostEdibleTime(ghost) > 0) {
+                int node = game.getGhostCurrentNodeIndex(ghost);
+                int distance = game.getShortestPathDistance(position, node);
+                if (distance < smallest) {
+                    smallest = distance;
+                    nearest = node;
+                }
+            }
+        }
+        return nearest;
+    }
+
+    /** Not used: this controller answers with a move. */
+    @Override
+    public int getAction(Game game, long timeDue) {
+        throw new UnsupportedOperationException("StarterPacMan answers with a move; call getMove");
+    }
+
+    /** There is nothing to log. */
+    @Override
+    public void logEvaluationDetails() {}
+}

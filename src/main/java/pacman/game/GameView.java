@@ -1,0 +1,330 @@
+package pacman.game;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.GraphicsEnvironment;
+import java.awt.Toolkit;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Vector;
+import java.util.WeakHashMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.imageio.ImageIO;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.internal.Maze;
+
+/**
+ * The picture of a game: maze, pills, Ms. Pac-Man, ghosts, and what controllers draw for debugging.
+ *
+ * <p>Part of the competition's programming interface, which makes the debug drawing static: controllers in any thread add
+ * squares and lines, each shown for one painting. Without a view they are dropped, and never are more than {@value
+ * #DEBUG_LIMIT} of a kind kept. On a machine without a display a view exists, but shows nothing.
+ *
+ * <p>Source: spec/controllers.md, section 7.
+ */
+public final class GameView extends JComponent {
+
+    /** Squares to be drawn in the next painting; public in the competition's interface. */
+    public static Vector<DebugPointer> debugPointers = new Vector<>();
+
+    /** Lines to be drawn in the next painting; public in the competition's interface. */
+    public static Vector<DebugLine> debugLines = new Vector<>();
+
+    /** The most squares, and the most lines, that are kept for the next painting. */
+    private static final int DEBUG_LIMIT = 20_000;
+
+    private static final AtomicReference<String> IMAGE_TO_SAVE = new AtomicReference<>();
+
+    /** The views that somebody still holds: without any, debug drawing is dropped. */
+    private static final Map<GameView, Boolean> VIEWS = Collections.synchronizedMap(new WeakHashMap<>());
+
+    private static final int WIDTH = Constants.GV_WIDTH * Constants.MAG;
+    private static final int HEIGHT = Constants.GV_HEIGHT * Constants.MAG + 20;
+    private static final int SHOW_DELAY_MILLISECONDS = 2000;
+
+    private final Game game;
+    private final Images images = new Images();
+    private final transient Map<Maze, BufferedImage> mazePictures = new ConcurrentHashMap<>();
+
+    /** The state that the event thread paints, since the game itself goes on in another thread. */
+    private transient volatile Game painted;
+
+    private MOVE facing;
+    private GameFrame frame;
+
+    /** @param game the game to show, as it goes on */
+    public GameView(Game game) {
+        this.game = game;
+        painted = game.copy();
+        facing = game.getPacmanLastMoveMade();
+        VIEWS.put(this, true);
+    }
+
+    // ------------------------------------------------------------------------------------------- debug drawing
+
+    /** Draws a square on each node in the next painting. */
+    public static synchronized void addPoints(Game game, Color colour, int... nodes) {
+        if (VIEWS.isEmpty()) {
+            return;
+        }
+        for (int node : nodes) {
+            keep(debugPointers, new DebugPointer(game.getNodeXCoord(node), game.getNodeYCoord(node), colour));
+        }
+    }
+
+    /** Draws a line from each node of {@code from} to the node at the same place in {@code to}. */
+    public static synchronized void addLines(Game game, Color colour, int[] from, int[] to) {
+        for (int i = 0; i < from.length; i++) {
+            addLines(game, colour, from[i], to[i]);
+        }
+    }
+
+    /** Draws a line between two nodes in the next painting. */
+    public static synchronized void addLines(Game game, Color colour, int from, int to) {
+        if (VIEWS.isEmpty()) {
+            return;
+        }
+        keep(
+                debugLines,
+                new DebugLine(
+                        game.getNodeXCoord(from),
+                        game.getNodeYCoord(from),
+                        game.getNodeXCoord(to),
+                        game.getNodeYCoord(to),
+                        colour));
+    }
+
+    private static <T> void keep(Vector<T> drawings, T drawing) {
+        if (drawings.size() < DEBUG_LIMIT) {
+            drawings.add(drawing);
+        }
+    }
+
+    /** Saves the next painting as {@code myData/<name>.png}; the folder is not created. */
+    public static synchronized void saveImage(String name) {
+        IMAGE_TO_SAVE.set(name);
+    }
+
+    private static synchronized <T> List<T> takeAll(Vector<T> drawings) {
+        List<T> all = List.copyOf(drawings);
+        drawings.clear();
+        return all;
+    }
+
+    // ------------------------------------------------------------------------------------------- painting
+
+    /** Repaints soon. Called by the thread that plays the game: what it sees now is what will be painted. */
+    @Override
+    public void repaint() {
+        if (game != null && !SwingUtilities.isEventDispatchThread()) {
+            painted = game.copy();
+        }
+        super.repaint();
+    }
+
+    @Override
+    public void paintComponent(Graphics screen) {
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics graphics = image.createGraphics();
+        paintState(graphics, SwingUtilities.isEventDispatchThread() ? painted : game);
+        graphics.dispose();
+        screen.drawImage(image, 0, 0, null);
+        String name = IMAGE_TO_SAVE.getAndSet(null);
+        if (name != null) {
+            save(image, name);
+        }
+    }
+
+    private static void save(BufferedImage image, String name) {
+        File file = new File("myData", name + ".png");
+        try {
+            ImageIO.write(image, "png", file);
+        } catch (IOException e) {
+            System.err.println("Could not save " + file + ": " + e);
+        }
+    }
+
+    /** Paints in the order of spec/controllers.md, section 7.2; the offsets are those of its table. */
+    private void paintState(Graphics graphics, Game state) {
+        graphics.setColor(Color.BLACK);
+        graphics.fillRect(0, 0, WIDTH, HEIGHT);
+        Maze maze = state.getCurrentMaze();
+        graphics.drawImage(
+                mazePictures.computeIfAbsent(maze, drawn -> MazePicture.of(drawn, state.getMazeIndex())), 2, 6, null);
+        paintDebugDrawing(graphics);
+        paintPills(graphics, state);
+        paintPacMan(graphics, state);
+        paintGhosts(graphics, state);
+        paintLives(graphics, state);
+        paintText(graphics, state);
+    }
+
+    private static void paintDebugDrawing(Graphics graphics) {
+        for (DebugPointer point : takeAll(debugPointers)) {
+            graphics.setColor(point.colour);
+            graphics.fillRect(point.x * Constants.MAG + 1, point.y * Constants.MAG + 5, 10, 10);
+        }
+        for (DebugLine line : takeAll(debugLines)) {
+            graphics.setColor(line.colour);
+            graphics.drawLine(
+                    line.x1 * Constants.MAG + 5,
+                    line.y1 * Constants.MAG + 10,
+                    line.x2 * Constants.MAG + 5,
+                    line.y2 * Constants.MAG + 10);
+        }
+    }
+
+    private static void paintPills(Graphics graphics, Game state) {
+        graphics.setColor(Color.WHITE);
+        for (int node : state.getActivePillsIndices()) {
+            graphics.fillOval(
+                    state.getNodeXCoord(node) * Constants.MAG + 4, state.getNodeYCoord(node) * Constants.MAG + 8, 3, 3);
+        }
+        for (int node : state.getActivePowerPillsIndices()) {
+            graphics.fillOval(
+                    state.getNodeXCoord(node) * Constants.MAG + 1, state.getNodeYCoord(node) * Constants.MAG + 5, 8, 8);
+        }
+    }
+
+    private void paintPacMan(Graphics graphics, Game state) {
+        MOVE move = state.getPacmanLastMoveMade();
+        if (move != MOVE.NEUTRAL) {
+            facing = move;
+        }
+        int node = state.getPacmanCurrentNodeIndex();
+        graphics.drawImage(
+                images.getPacMan(facing, state.getTotalTime()),
+                state.getNodeXCoord(node) * Constants.MAG - 1,
+                state.getNodeYCoord(node) * Constants.MAG + 3,
+                null);
+    }
+
+    private void paintGhosts(Graphics graphics, Game state) {
+        int time = state.getTotalTime();
+        for (GHOST ghost : GHOST.values()) {
+            int node = state.getGhostCurrentNodeIndex(ghost);
+            int x = state.getNodeXCoord(node) * Constants.MAG - 1;
+            int y = state.getNodeYCoord(node) * Constants.MAG + 3;
+            if (state.getGhostEdibleTime(ghost) > 0) {
+                boolean blinking = state.getGhostEdibleTime(ghost) < Constants.EDIBLE_ALERT;
+                graphics.drawImage(images.getEdibleGhost(blinking, time), x, y, null);
+            } else {
+                int shift = state.getGhostLairTime(ghost) > 0 ? 5 * ghost.ordinal() : 0;
+                graphics.drawImage(images.getGhost(ghost, state.getGhostLastMoveMade(ghost), time), x + shift, y, null);
+            }
+        }
+    }
+
+    private void paintLives(Graphics graphics, Game state) {
+        for (int i = 0; i < state.getPacmanNumberOfLivesRemaining() - 1; i++) {
+            graphics.drawImage(images.getPacManForExtraLives(), 210 - 15 * i, 260, null);
+        }
+    }
+
+    private static void paintText(Graphics graphics, Game state) {
+        graphics.setColor(Color.WHITE);
+        graphics.drawString("S: ", 4, 271);
+        graphics.drawString(Integer.toString(state.getScore()), 16, 271);
+        graphics.drawString("L: ", 78, 271);
+        graphics.drawString(Integer.toString(state.getCurrentLevel() + 1), 90, 271);
+        graphics.drawString("T: ", 116, 271);
+        graphics.drawString(Integer.toString(state.getCurrentLevelTime()), 129, 271);
+        if (state.gameOver()) {
+            graphics.drawString("Game Over", 80, 150);
+        }
+    }
+
+    // ------------------------------------------------------------------------------------------- window
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(WIDTH, HEIGHT);
+    }
+
+    /**
+     * Opens a window, waits two seconds for the spectator to look, and returns this view. Without a display it returns
+     * at once.
+     */
+    public GameView showGame() {
+        if (!GraphicsEnvironment.isHeadless()) {
+            frame = new GameFrame(this);
+            try {
+                Thread.sleep(SHOW_DELAY_MILLISECONDS);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+        return this;
+    }
+
+    /** The window; null before {@link #showGame}, and without a display. */
+    public GameFrame getFrame() {
+        return frame;
+    }
+
+    /** A window that holds a view. Closing it ends the program. */
+    public class GameFrame extends JFrame {
+
+        public GameFrame(JComponent view) {
+            getContentPane().add(BorderLayout.CENTER, view);
+            pack();
+            Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+            setLocation(screen.width * 3 / 8, screen.height * 3 / 8);
+            setTitle("Ms. Pac-Man");
+            setResizable(false);
+            setDefaultCloseOperation(EXIT_ON_CLOSE);
+            setVisible(true);
+            repaint();
+        }
+    }
+
+    /** The pictures of the actors and mazes. Ours are drawn by the program; no files are read. */
+    public class Images {
+
+        private final Sprites sprites = new Sprites();
+
+        public Images() {}
+
+        /** Ms. Pac-Man facing a direction; the game step chooses how far her mouth is open. */
+        public BufferedImage getPacMan(MOVE move, int time) {
+            return sprites.pacMan(move, time);
+        }
+
+        /** Ms. Pac-Man as the sign of a life. */
+        public BufferedImage getPacManForExtraLives() {
+            return sprites.pacMan(MOVE.RIGHT, 0);
+        }
+
+        /** A ghost facing a direction; the game step chooses one of two pictures. */
+        public BufferedImage getGhost(GHOST ghost, MOVE move, int time) {
+            return sprites.ghost(ghost, move, time);
+        }
+
+        /** An edible ghost; the game step chooses one of two pictures. */
+        public BufferedImage getEdibleGhost(boolean blinking, int time) {
+            return sprites.edibleGhost(blinking, time);
+        }
+
+        /** The walls of one of the four mazes of the competition, 224 by 248 pixels. */
+        public BufferedImage getMaze(int mazeIndex) {
+            return MazePicture.of(new Game(0, mazeIndex).getCurrentMaze(), mazeIndex);
+        }
+    }
+
+    /** A square to be drawn, in maze pixels. */
+    private record DebugPointer(int x, int y, Color colour) {}
+
+    /** A line to be drawn, in maze pixels. */
+    private record DebugLine(int x1, int y1, int x2, int y2, Color colour) {}
+}

@@ -1,0 +1,72 @@
+package pacman.game.util;
+
+import java.util.Date;
+
+/**
+ * The log of an entry: one object that all its parts share. Part of the competition's programming interface.
+ *
+ * <p>Messages are gathered in memory and written, through {@link IO}, by {@link #saveLog}. No line ends are added.
+ */
+public class Log {
+
+    /** The interface wants one shared log; it is the only state of the simulator that controllers share. */
+    private static final Log LOG = new Log();
+
+    private final StringBuffer text = new StringBuffer();
+    private volatile String file = "log.txt";
+    private volatile boolean timeStamp;
+    private volatile boolean console;
+
+    private Log() {}
+
+    public static Log getLog() {
+        return LOG;
+    }
+
+    /** Echoes further messages to standard output. */
+    public void enableConsolePrinting() {
+        console = true;
+    }
+
+    public void disableConsolePrinting() {
+        console = false;
+    }
+
+    /** Sets the file's name below {@link IO#DIRECTORY}; "log.txt" if it is never set. */
+    public void setFile(String fileName) {
+        file = fileName;
+    }
+
+    /** Puts the date in front of further messages. */
+    public void enableTimeStamp() {
+        timeStamp = true;
+    }
+
+    public void disableTimeStamp() {
+        timeStamp = false;
+    }
+
+    /**
+     * Adds a message.
+     *
+     * @param context the object that logs; its class is written in front of the message
+     */
+    public void log(Object context, String message) {
+        String date = timeStamp ? new Date() + "; " : "";
+        String entry = "[" + date + context.getClass() + "]\t" + message;
+        text.append(entry);
+        if (console) {
+            System.out.println(entry);
+        }
+    }
+
+    /** Forgets all messages. */
+    public void clear() {
+        text.setLength(0);
+    }
+
+    /** Writes all messages to the file. */
+    public void saveLog(boolean append) {
+        IO.saveFile(file, text.toString(), append);
+    }
+}

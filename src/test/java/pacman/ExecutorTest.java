@@ -1,0 +1,226 @@
+package pacman;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import pacman.controllers.Controller;
+import pacman.controllers.HumanController;
+import pacman.controllers.KeyBoardInput;
+import pacman.controllers.examples.Legacy;
+import pacman.controllers.examples.NearestPillPacManVS;
+import pacman.controllers.examples.StarterPacMan;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+import pacman.game.GameRules;
+
+/** The run modes: spec/controllers.md, section 6. */
+@Timeout(120)
+class ExecutorTest {
+
+    /** Answers null, which ends a game by MM-NEAT's rules in its twelfth tick. */
+    private static final class Silent extends Controller<MOVE> {
+        @Override
+        public MOVE getMove(Game game, long timeDue) {
+            return null;
+        }
+    }
+
+    private static final class Throwing extends Controller<MOVE> {
+        @Override
+        public MOVE getMove(Game game, long timeDue) {
+            throw new IllegalStateException("no idea at " + game.getTotalTime());
+        }
+    }
+
+    private static final class NoGhosts extends Controller<EnumMap<GHOST, MOVE>> {
+        @Override
+        public EnumMap<GHOST, MOVE> getMove(Game game, long timeDue) {
+            return null;
+        }
+    }
+
+    @TempDir
+    private Path folder;
+
+    private final Executor executor = new Executor();
+
+    private static Game mmneatGame(long seed) {
+        return new Game(seed, GameRules.mmneat(), new ResumableRandom(0));
+    }
+
+    private static String printed(Runnable action) {
+        PrintStream before = System.out;
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        System.setOut(new PrintStream(text, true, StandardCharsets.UTF_8));
+        try {
+            action.run();
+        } finally {
+            System.setOut(before);
+        }
+        return text.toString(StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void batch_printsEachScoreAndTheirMean_ofGamesWithFixedSeeds() {
+        ResumableRandom seeds = new ResumableRandom(0);
+        Game first = new Game(seeds.nextLong());
+        Game second = new Game(seeds.nextLong());
+        executor.runExperiment(new StarterPacMan(), new Legacy(), first);
+        executor.runExperiment(new StarterPacMan(), new Legacy(), second);
+        String text = printed(() -> executor.runExperiment(new StarterPacMan(), new Legacy(), 2));
+        assertThat(text.lines())
+                .containsExactly(
+                        "0\t" + first.getScore(),
+                        "1\t" + second.getScore(),
+                        Double.toString((first.getScore() + second.getScore()) / 2.0));
+    }
+
+    @Test
+    void controllerThatThrows_isNamedInTheExceptionThatLeavesTheRun() {
+        assertThatThrownBy(() -> executor.runExperiment(new Throwing(), new Legacy(), new Game(0)))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("no idea at 0")
+                .satisfies(failure -> {
+                    ControllerFailure report = ControllerFailure.in(failure).orElseThrow();
+                    assertThat(report.controllerName()).isEqualTo(Throwing.class.getName());
+                    assertThat(report.totalTime()).isZero();
+                });
+    }
+
+    @Test
+    void nullPacManMove_endsTheGameAtTimeEleven_byMmNeatsRulesOnly() {
+        Game game = mmneatGame(0);
+        executor.runExperiment(new Silent(), new Legacy(), game);
+        assertThat(game.getTotalTime()).isEqualTo(11);
+        Game competition = new Game(0);
+        executor.runExperiment(new Silent(), new Legacy(), competition);
+        assertThat(competition.getTotalTime()).isGreaterThan(11);
+        assertThat(competition.gameOver()).isTrue();
+    }
+
+    @Test
+    void nullGhostMap_repeatsTheLastMoves() {
+        Game game = new Game(0);
+        executor.runExperiment(new StarterPacMan(), new NoGhosts(), game);
+        assertThat(game.gameOver()).isTrue();
+    }
+
+    @Test
+    void timedGame_goesOnWithoutAControllerThatThrew_andEndsByItsMissingAnswer() {
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> {});
+        try {
+            Game game = mmneatGame(0);
+            executor.runGameTimedSpeedOptimised(new Throwing(), new Legacy(), false, false, game);
+            assertThat(game.gameOver()).isTrue();
+            assertThat(game.getTotalTime()).isEqualTo(11);
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(before);
+        }
+    }
+
+    @Test
+    void timedModes_playToTheEnd_alsoVisuallyWithoutADisplay() {
+        Game game = executor.runGameTimed(new Silent(), new Legacy(), true, mmneatGame(0));
+        assertThat(game.gameOver()).isTrue();
+        Game fixed = mmneatGame(0);
+        executor.runGameTimedSpeedOptimised(new Silent(), new Legacy(), true, true, fixed);
+        assertThat(fixed.gameOver()).isTrue();
+        Game human = new Game(0, GameRules.mmneat().with().maximumLevel(1).build(), new ResumableRandom(0));
+        executor.runGame(new HumanController(new KeyBoardInput()), new Legacy(), human, true, 0);
+        assertThat(human.gameOver()).isTrue();
+    }
+
+    @Test
+    void untimedVisualGame_isTheSameGame_withoutADisplay() {
+        Game seen = new Game(5);
+        executor.runGame(new NearestPillPacManVS(), new Legacy(), seen, true, 0);
+        Game unseen = new Game(5);
+        executor.runExperiment(new NearestPillPacManVS(), new Legacy(), unseen);
+        assertThat(seen.getGameState()).isEqualTo(unseen.getGameState());
+    }
+
+    @Test
+    void interrupt_endsATimedGame() {
+        Game game = new Game(0);
+        Thread.currentThread().interrupt();
+        executor.runGameTimed(new Silent(), new Legacy(), false, game);
+        assertThat(Thread.interrupted()).isTrue();
+        assertThat(game.gameOver()).isFalse();
+    }
+
+    @Test
+    void timedRecording_hasALinePerTickAndALineEnd() throws IOException {
+        Path file = folder.resolve("game.txt");
+        executor.runGameTimedRecorded(mmneatGame(0), new Silent(), new Legacy(), false, file.toString());
+        String text = Files.readString(file);
+        assertThat(text).endsWith(System.lineSeparator());
+        List<String> lines = text.lines().toList();
+        // The twelfth call ends the game without a tick, and is recorded too.
+        assertThat(lines).hasSize(12);
+        assertThat(lines).allSatisfy(line -> assertThat(line.split(",")).hasSize(56));
+        assertThat(lines.get(10)).isEqualTo(lines.get(11));
+        assertThat(Recording.load(file).rules().conventions()).isEqualTo(GameRules.Conventions.MM_NEAT);
+    }
+
+    @Test
+    void replay_showsTheStatesOfARecording() throws IOException {
+        Game game = new Game(3);
+        String text = executor.runGameRecorded(new StarterPacMan(), new Legacy(), game);
+        Path file = folder.resolve("game.txt");
+        Executor.saveToFile(text, file.toString(), false);
+        Recording recording = Recording.load(file);
+        assertThat(recording.states()).hasSize(game.getTotalTime());
+        Game replayed = executor.replayGame(recording, recording.rules(), true, 0);
+        assertThat(replayed.getGameState()).isEqualTo(game.getGameState());
+        executor.replayGame(file.toString(), false, 0);
+    }
+
+    @Test
+    void replay_stopsWhenTheLastLevelIsOver() {
+        Game game = new Game(0, GameRules.mmneat(), new ResumableRandom(0));
+        Recording recording = new Recording(List.of(game.getGameState(), game.getGameState()));
+        GameRules noLevels = GameRules.mmneat().with().maximumLevel(1).build();
+        assertThat(executor.replayGame(recording, noLevels, false, 0).getCurrentLevel())
+                .isZero();
+    }
+
+    @Test
+    void recordingThatIsNone_isRefusedWithAReason() throws IOException {
+        assertThatThrownBy(() -> new Recording(List.of())).hasMessage("the recording is empty");
+        assertThatThrownBy(() -> new Recording(List.of("a,b"))).hasMessageContaining("its first line has 2");
+        String state = new Game(0).getGameState();
+        assertThatThrownBy(() -> new Recording(List.of(state, "a,b"))).hasMessageContaining("state 2 has 2 fields");
+        Path binary = Files.write(folder.resolve("binary"), new byte[] {(byte) 0xff, (byte) 0xfe, 0, 1});
+        assertThatThrownBy(() -> Recording.load(binary)).hasMessageContaining("not a text file");
+        assertThatThrownBy(() -> executor.replayGame(folder.resolve("none").toString(), false))
+                .isInstanceOf(UncheckedIOException.class);
+    }
+
+    @Test
+    void saveToFile_appendsOrOverwrites_andPrintsAFailure() throws IOException {
+        Path file = folder.resolve("data.txt");
+        Executor.saveToFile("a", file.toString(), false);
+        Executor.saveToFile("b", file.toString(), true);
+        assertThat(Files.readAllLines(file)).containsExactly("a", "b");
+        Executor.saveToFile("c", file.toString(), false);
+        assertThat(Files.readAllLines(file)).containsExactly("c");
+        assertThat(printed(() -> Executor.saveToFile("d", folder.toString(), false))
+                        .lines())
+                .containsExactly("Could not save data!");
+    }
+}

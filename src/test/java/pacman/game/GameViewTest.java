@@ -1,0 +1,133 @@
+package pacman.game;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.image.BufferedImage;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+
+/** The picture of a game, painted off screen: spec/controllers.md, section 7. */
+class GameViewTest {
+
+    private final Game game = new Game(0);
+    private final GameView view = new GameView(game);
+
+    @BeforeEach
+    void forgetDebugDrawing() {
+        GameView.debugPointers.clear();
+        GameView.debugLines.clear();
+    }
+
+    private BufferedImage painted() {
+        BufferedImage image = new BufferedImage(228, 280, BufferedImage.TYPE_INT_RGB);
+        Graphics graphics = image.createGraphics();
+        view.paintComponent(graphics);
+        graphics.dispose();
+        return image;
+    }
+
+    private static Color colour(BufferedImage image, int x, int y) {
+        return new Color(image.getRGB(x, y));
+    }
+
+    @Test
+    void size_isTheMazeAndALineOfText() {
+        assertThat(view.getPreferredSize()).isEqualTo(new Dimension(228, 280));
+    }
+
+    @Test
+    void withoutADisplay_nothingIsShown() {
+        assertThat(view.showGame()).isSameAs(view);
+        assertThat(view.getFrame()).isNull();
+        view.repaint();
+    }
+
+    @Test
+    void debugPoint_isASquareOfTenPixels_forOnePainting() {
+        // A corridor node without a pill, away from everybody: the one in front of the lair.
+        int node = game.getGhostInitialNodeIndex();
+        int x = 2 * game.getNodeXCoord(node) + 1;
+        int y = 2 * game.getNodeYCoord(node) + 5;
+        assertThat(colour(painted(), x, y)).isEqualTo(Color.BLACK);
+        GameView.addPoints(game, Color.GREEN, node);
+        BufferedImage image = painted();
+        assertThat(colour(image, x, y)).isEqualTo(Color.GREEN);
+        assertThat(colour(image, x + 9, y + 9)).isEqualTo(Color.GREEN);
+        assertThat(colour(image, x - 1, y)).isNotEqualTo(Color.GREEN);
+        assertThat(colour(image, x + 10, y + 9)).isNotEqualTo(Color.GREEN);
+        assertThat(colour(painted(), x, y)).isEqualTo(Color.BLACK);
+    }
+
+    @Test
+    void debugLine_joinsTwoNodes() {
+        int node = game.getGhostInitialNodeIndex();
+        int next = game.getNeighbour(node, MOVE.LEFT);
+        GameView.addLines(game, Color.RED, new int[] {node}, new int[] {next});
+        BufferedImage image = painted();
+        assertThat(colour(image, 2 * game.getNodeXCoord(node) + 5, 2 * game.getNodeYCoord(node) + 10))
+                .isEqualTo(Color.RED);
+    }
+
+    @Test
+    void debugDrawing_isBounded() {
+        for (int i = 0; i < 30_000; i++) {
+            GameView.addPoints(game, Color.RED, 0);
+            GameView.addLines(game, Color.RED, 0, 1);
+        }
+        assertThat(GameView.debugPointers).hasSize(20_000);
+        assertThat(GameView.debugLines).hasSize(20_000);
+        painted();
+        assertThat(GameView.debugPointers).isEmpty();
+        assertThat(GameView.debugLines).isEmpty();
+    }
+
+    @Test
+    void pills_disappearWhenTheyAreEaten() {
+        int node = game.getPillIndices()[0];
+        int x = 2 * game.getNodeXCoord(node) + 5;
+        int y = 2 * game.getNodeYCoord(node) + 9;
+        assertThat(colour(painted(), x, y)).isEqualTo(Color.WHITE);
+        String[] fields = game.getGameState().split(",");
+        for (int i = 0; i < fields.length; i++) {
+            if (fields[i].length() == game.getNumberOfPills()) {
+                fields[i] = "0".repeat(fields[i].length());
+            }
+        }
+        game.setGameState(String.join(",", fields));
+        assertThat(colour(painted(), x, y)).isEqualTo(Color.BLACK);
+    }
+
+    @Test
+    void everyMaze_isDrawn_andEveryActorFacesItsWay() {
+        GameView.Images images = view.new Images();
+        for (int maze = 0; maze < Constants.NUM_MAZES; maze++) {
+            BufferedImage picture = images.getMaze(maze);
+            assertThat(picture.getWidth()).isEqualTo(224);
+            assertThat(picture.getHeight()).isEqualTo(248);
+            Game inMaze = new Game(0, maze);
+            int start = inMaze.getPacmanCurrentNodeIndex();
+            int x = 2 * inMaze.getNodeXCoord(start) + 4;
+            int y = 2 * inMaze.getNodeYCoord(start) + 4;
+            assertThat(new Color(picture.getRGB(x, y), true)).isEqualTo(Color.BLACK);
+            assertThat(new Color(picture.getRGB(x, y - 7), true)).isNotEqualTo(Color.BLACK);
+        }
+        assertThat(pixels(images.getPacMan(MOVE.LEFT, 0))).isNotEqualTo(pixels(images.getPacMan(MOVE.RIGHT, 0)));
+        assertThat(pixels(images.getPacMan(MOVE.LEFT, 0))).isNotEqualTo(pixels(images.getPacMan(MOVE.LEFT, 2)));
+        assertThat(pixels(images.getGhost(GHOST.SUE, MOVE.LEFT, 0)))
+                .isNotEqualTo(pixels(images.getGhost(GHOST.SUE, MOVE.RIGHT, 0)));
+        assertThat(pixels(images.getGhost(GHOST.SUE, MOVE.UP, 0)))
+                .isEqualTo(pixels(images.getGhost(GHOST.SUE, MOVE.NEUTRAL, 0)));
+        assertThat(pixels(images.getEdibleGhost(true, 0))).isNotEqualTo(pixels(images.getEdibleGhost(false, 0)));
+        assertThat(pixels(images.getEdibleGhost(true, 3))).isEqualTo(pixels(images.getEdibleGhost(false, 3)));
+        assertThat(pixels(images.getPacManForExtraLives())).isEqualTo(pixels(images.getPacMan(MOVE.RIGHT, 0)));
+    }
+
+    private static int[] pixels(BufferedImage image) {
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    }
+}
