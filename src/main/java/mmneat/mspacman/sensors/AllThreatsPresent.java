@@ -1,0 +1,20 @@
+package mmneat.mspacman.sensors;
+
+/** "All Threat Ghosts Present?": 1 if all four ghosts are threats outside the lair, else 0. */
+record AllThreatsPresent() implements Sensor {
+
+    @Override
+    public String label() {
+        return "All Threats Present";
+    }
+
+    @Override
+    public boolean isDirectional() {
+        return false;
+    }
+
+    @Override
+    public double sense(Situation situation) {
+        return situation.threats() == Situation.GHOSTS ? 1 : 0;
+    }
+}

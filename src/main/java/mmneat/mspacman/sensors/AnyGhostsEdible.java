@@ -1,0 +1,20 @@
+package mmneat.mspacman.sensors;
+
+/** "Any Ghosts Edible?": 1 if a ghost is edible, else 0. */
+record AnyGhostsEdible() implements Sensor {
+
+    @Override
+    public String label() {
+        return "Some Ghost Edible";
+    }
+
+    @Override
+    public boolean isDirectional() {
+        return false;
+    }
+
+    @Override
+    public double sense(Situation situation) {
+        return situation.highestEdibleTime() > 0 ? 1 : 0;
+    }
+}

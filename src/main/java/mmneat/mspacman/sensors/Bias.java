@@ -1,0 +1,20 @@
+package mmneat.mspacman.sensors;
+
+/** "Bias": always 1. */
+record Bias() implements Sensor {
+
+    @Override
+    public String label() {
+        return "Bias";
+    }
+
+    @Override
+    public boolean isDirectional() {
+        return false;
+    }
+
+    @Override
+    public double sense(Situation situation) {
+        return 1;
+    }
+}

@@ -1,0 +1,22 @@
+package mmneat.mspacman.sensors;
+
+/** A sensor that is 1 if something holds, else 0. */
+interface FlagSensor extends GradedSensor {
+
+    boolean holds(Situation situation);
+
+    @Override
+    default int grade(Situation situation) {
+        return holds(situation) ? 1 : 0;
+    }
+
+    @Override
+    default int grades() {
+        return 2;
+    }
+
+    @Override
+    default double value(int grade) {
+        return grade;
+    }
+}

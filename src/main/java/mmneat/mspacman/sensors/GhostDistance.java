@@ -1,0 +1,20 @@
+package mmneat.mspacman.sensors;
+
+/**
+ * "nth Nearest Ghost Distance": steps in this direction to the ghost, in [0, 1]; 1 if there is no such ghost.
+ *
+ * @param n rank of the ghost among those outside the lair by distance in this direction, from 0
+ */
+record GhostDistance(int n) implements DistanceSensor {
+
+    @Override
+    public String label() {
+        return "Distance to 0 Nearest " + n + " Closest Ghost";
+    }
+
+    @Override
+    public int steps(Situation situation) {
+        int ghost = situation.nthNearestGhost(n);
+        return ghost < 0 ? -1 : situation.distanceToGhost(ghost);
+    }
+}

@@ -1,0 +1,20 @@
+package mmneat.mspacman.sensors;
+
+/**
+ * "nth Nearest Ghost Edible?": 1 if the ghost is edible, else 0; 0 if there is no such ghost.
+ *
+ * @param n rank of the ghost among those outside the lair by distance in this direction, from 0
+ */
+record GhostEdible(int n) implements FlagSensor {
+
+    @Override
+    public String label() {
+        return n + " Closest Ghost Edible";
+    }
+
+    @Override
+    public boolean holds(Situation situation) {
+        int ghost = situation.nthNearestGhost(n);
+        return ghost >= 0 && situation.isEdible(ghost);
+    }
+}

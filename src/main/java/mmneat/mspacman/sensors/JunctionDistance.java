@@ -1,0 +1,19 @@
+package mmneat.mspacman.sensors;
+
+/**
+ * "Nearest Junction Distance": steps in this direction to the nearest junction (rank 0), the next nearest, ..., in (0, 1].
+ *
+ * @param rank from 0
+ */
+record JunctionDistance(int rank) implements DistanceSensor {
+
+    @Override
+    public String label() {
+        return "Distance to " + rank + " Nearest Junction";
+    }
+
+    @Override
+    public int steps(Situation situation) {
+        return rank == 0 ? situation.nearestJunction() : situation.nthNearestJunction(rank);
+    }
+}

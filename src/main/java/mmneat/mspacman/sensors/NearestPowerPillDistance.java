@@ -1,0 +1,15 @@
+package mmneat.mspacman.sensors;
+
+/** "Nearest Power Pill Distance": steps in this direction to the nearest power pill that is left, in [0, 1]; 1 if none is. */
+record NearestPowerPillDistance() implements DistanceSensor {
+
+    @Override
+    public String label() {
+        return "Distance to 0 Nearest Power Pill";
+    }
+
+    @Override
+    public int steps(Situation situation) {
+        return situation.nearestPowerPill();
+    }
+}

@@ -1,0 +1,20 @@
+package mmneat.mspacman.sensors;
+
+/** "Proportion Edible Ghosts": edible ghosts / 4, in [0, 1]. */
+record ProportionEdibleGhosts() implements Sensor {
+
+    @Override
+    public String label() {
+        return "Portion Edible Ghost Remaining";
+    }
+
+    @Override
+    public boolean isDirectional() {
+        return false;
+    }
+
+    @Override
+    public double sense(Situation situation) {
+        return (double) situation.edibleGhosts() / Situation.GHOSTS;
+    }
+}

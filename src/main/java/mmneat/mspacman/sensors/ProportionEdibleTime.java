@@ -1,0 +1,24 @@
+package mmneat.mspacman.sensors;
+
+/**
+ * "Proportion Edible Time": longest edible time of any ghost / edible time of the first level, in [0, 1]; 0 if none is edible.
+ *
+ * @param longest edible time of the first level
+ */
+record ProportionEdibleTime(int longest) implements Sensor {
+
+    @Override
+    public String label() {
+        return "3 Highest Edible Time";
+    }
+
+    @Override
+    public boolean isDirectional() {
+        return false;
+    }
+
+    @Override
+    public double sense(Situation situation) {
+        return (double) situation.highestEdibleTime() / longest;
+    }
+}

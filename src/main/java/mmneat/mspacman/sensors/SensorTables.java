@@ -1,0 +1,62 @@
+package mmneat.mspacman.sensors;
+
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.WeakHashMap;
+import pacman.game.internal.MazeDistances;
+import pacman.game.internal.MazeGraph;
+import pacman.game.internal.MazeTables;
+
+/** What sensors look up about one maze. Immutable; may be shared by games and threads. */
+final class SensorTables {
+
+    final MazeGraph graph;
+    final MazeDistances distances;
+    final PathTables paths;
+    final PillTables pills;
+    final OnwardJunctions onward;
+    final WalkTables walks;
+
+    /*
+     * Tables are the same whoever asks, and large: runs in one JVM share them. The map only saves time; nothing depends on
+     * what it holds. A maze that nobody uses any more takes its tables along.
+     */
+    private static final Map<MazeTables, Map<Key, SensorTables>> KNOWN =
+            Collections.synchronizedMap(new WeakHashMap<>());
+
+    /** Power pills close to each node, as bits. */
+    final long[] closePowerPills;
+
+    private record Key(int lookAhead, double closeness) {}
+
+    /**
+     * The tables of a maze.
+     *
+     * @param lookAhead steps of the walks that are looked at
+     * @param closeness distance below which a power pill is close
+     */
+    static SensorTables of(MazeTables maze, int lookAhead, double closeness) {
+        Map<Key, SensorTables> ofMaze =
+                KNOWN.computeIfAbsent(maze, key -> Collections.synchronizedMap(new HashMap<>()));
+        return ofMaze.computeIfAbsent(
+                new Key(lookAhead, closeness), key -> new SensorTables(maze, lookAhead, closeness));
+    }
+
+    private SensorTables(MazeTables maze, int lookAhead, double closeness) {
+        graph = maze.graph();
+        distances = maze.distances();
+        paths = new PathTables(maze);
+        pills = new PillTables(graph, paths);
+        onward = new OnwardJunctions(graph, paths);
+        walks = new WalkTables(graph, lookAhead);
+        closePowerPills = new long[graph.nodeCount()];
+        for (int v = 0; v < graph.lair(); v++) {
+            for (int power = 0; power < graph.powerPillCount(); power++) {
+                if (distances.between(v, graph.powerPillNode(power)) < closeness) {
+                    closePowerPills[v] |= 1L << power;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,491 @@
+package mmneat.mspacman.sensors;
+
+import java.util.Arrays;
+
+/**
+ * What sensors see: the state of a game in one time step, looked at in one direction from Ms. Pac-Man.
+ *
+ * <p>Directions are numbered UP 0, RIGHT 1, DOWN 2, LEFT 3; ghosts Blinky 0, Pinky 1, Inky 2, Sue 3. Distances are in steps,
+ * times in steps. All paths are the simulator's (spec/simulator.md, sections 4.3 and 4.4). One thread uses a situation.
+ *
+ * <p>Source: spec/mspacman-task.md, section 4.
+ */
+public final class Situation {
+
+    /*
+     * What depends on the state alone is found once per time step (observe), what depends on the direction once per direction
+     * (face); a sensor then only combines. Nothing is allocated after the first step in a maze.
+     */
+
+    /** Number of ghosts. */
+    public static final int GHOSTS = 4;
+
+    private static final int MEETING_DISTANCE = 2;
+
+    private SensorTables tables;
+    private PathTables paths;
+
+    // The state.
+    private int node;
+    private final int[] ghostNode = new int[GHOSTS];
+    private final int[] edibleTime = new int[GHOSTS];
+    private final int[] lairTime = new int[GHOSTS];
+    private long[] activePills = new long[0];
+    private int pillsLeft;
+    private long activePowerPills;
+    private int powerPillsLeft;
+
+    // What follows from the state.
+    private final long[] ghostWay = new long[GHOSTS];
+    private final int[] ghostPathLength = new int[GHOSTS];
+    private final int[] neighboursPassed = new int[GHOSTS];
+    private int highestEdibleTime;
+    private int edibleGhosts;
+    private int threats;
+
+    // What follows from the direction.
+    private int direction;
+    private long way;
+    private int least;
+    private final int[] ghostDistance = new int[GHOSTS];
+    private final int[] ghostOrder = new int[GHOSTS];
+    private int ghostsOutside;
+
+    /** In each row's order of pills the first that may be active: pills do not come back within a level. */
+    private int[] firstActiveRank = new int[0];
+
+    // Scratch for the nodes of a path; a node is on the current path if its stamp is the current one.
+    private int[] ownPath = new int[0];
+    private int[] otherPath = new int[0];
+    private int[] stamps = new int[0];
+    private int stamp;
+    private int stampedTarget;
+
+    // ---- Taking in the state ----
+
+    /** Sets the maze; pills are given afterwards. */
+    void enter(SensorTables maze) {
+        if (tables == maze) {
+            return;
+        }
+        tables = maze;
+        paths = maze.paths;
+        int nodes = maze.graph.nodeCount();
+        activePills = new long[maze.graph.pillWords()];
+        firstActiveRank = new int[paths.rowCount()];
+        ownPath = new int[4 * nodes];
+        otherPath = new int[4 * nodes];
+        stamps = new int[nodes];
+        stamp = 0;
+    }
+
+    /** Sets Ms. Pac-Man's node. */
+    void placePacMan(int pacManNode) {
+        node = pacManNode;
+    }
+
+    /**
+     * Sets one word of the bits of active pills; all words are set before {@link #conclude}.
+     *
+     * @param word number of the word
+     */
+    void setPills(int word, long bits) {
+        if ((bits & ~activePills[word]) != 0) {
+            Arrays.fill(firstActiveRank, 0);
+        }
+        activePills[word] = bits;
+    }
+
+    /** Sets the bits of the active power pills. */
+    void setPowerPills(long bits) {
+        activePowerPills = bits;
+    }
+
+    /**
+     * Sets a ghost.
+     *
+     * @param lastMove 0 to 3, or 4 for none
+     */
+    void placeGhost(int ghost, int atNode, int edible, int lair, int lastMove) {
+        ghostNode[ghost] = atNode;
+        edibleTime[ghost] = edible;
+        lairTime[ghost] = lair;
+        ghostWay[ghost] = lair > 0 ? 0 : paths.continuing(atNode, lastMove);
+    }
+
+    /** Finds what follows from the state, once everything is set. */
+    void conclude() {
+        pillsLeft = 0;
+        for (long word : activePills) {
+            pillsLeft += Long.bitCount(word);
+        }
+        powerPillsLeft = Long.bitCount(activePowerPills);
+        highestEdibleTime = 0;
+        edibleGhosts = 0;
+        threats = 0;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            highestEdibleTime = Math.max(highestEdibleTime, edibleTime[ghost]);
+            if (edibleTime[ghost] > 0) {
+                edibleGhosts++;
+            } else if (ghostNode[ghost] != tables.graph.lair()) {
+                threats++;
+            }
+            if (isOutside(ghost)) {
+                ghostPathLength[ghost] = paths.length(ghostWay[ghost], 0, node);
+                neighboursPassed[ghost] = paths.neighboursPassed(ghostWay[ghost], node);
+            }
+        }
+    }
+
+    /** Turns to an open direction; what sensors sense afterwards is for this direction. */
+    public void face(int newDirection) {
+        direction = newDirection;
+        way = paths.leaving(node, newDirection);
+        boolean corridorAhead = !isOpen((newDirection + 1) & 3) && !isOpen((newDirection + 3) & 3);
+        least = corridorAhead ? 0 : 1;
+        stampedTarget = CorridorPositions.NONE;
+        ghostsOutside = 0;
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            if (isOutside(ghost)) {
+                ghostDistance[ghost] = paths.length(way, least, ghostNode[ghost]);
+                insertIntoOrder(ghost);
+            }
+        }
+    }
+
+    /** By distance, where no distance counts as larger than any; ghosts at the same distance in the order of their numbers. */
+    private void insertIntoOrder(int ghost) {
+        int at = ghostsOutside++;
+        int key = ghostDistance[ghost] - 1 & Integer.MAX_VALUE;
+        while (at > 0 && (ghostDistance[ghostOrder[at - 1]] - 1 & Integer.MAX_VALUE) > key) {
+            ghostOrder[at] = ghostOrder[at - 1];
+            at--;
+        }
+        ghostOrder[at] = ghost;
+    }
+
+    // ---- What sensors ask ----
+
+    /** The direction that is looked at, 0 to 3. */
+    public int direction() {
+        return direction;
+    }
+
+    /** Ms. Pac-Man's node. */
+    public int pacManNode() {
+        return node;
+    }
+
+    /** Whether a corridor leads from Ms. Pac-Man in a direction. */
+    public boolean isOpen(int inDirection) {
+        return tables.graph.neighbour(node, inDirection) != CorridorPositions.NONE;
+    }
+
+    /** Whether Ms. Pac-Man is where three or more corridors meet. */
+    public boolean isAtJunction() {
+        return tables.graph.isJunction(node);
+    }
+
+    /** Node of a ghost; the lair's while it is there. */
+    public int ghostNode(int ghost) {
+        return ghostNode[ghost];
+    }
+
+    /** Steps for which a ghost stays edible; 0 if it is not. */
+    public int edibleTime(int ghost) {
+        return edibleTime[ghost];
+    }
+
+    public boolean isEdible(int ghost) {
+        return edibleTime[ghost] > 0;
+    }
+
+    /** Whether a ghost is neither edible nor on the lair's node. */
+    public boolean isThreat(int ghost) {
+        return edibleTime[ghost] == 0 && ghostNode[ghost] != tables.graph.lair();
+    }
+
+    /** Whether a ghost is not in the lair. */
+    public boolean isOutside(int ghost) {
+        return lairTime[ghost] == 0;
+    }
+
+    /** Number of edible ghosts. */
+    public int edibleGhosts() {
+        return edibleGhosts;
+    }
+
+    /** Number of threats. */
+    public int threats() {
+        return threats;
+    }
+
+    /** Longest edible time of any ghost, 0 if none is edible. */
+    public int highestEdibleTime() {
+        return highestEdibleTime;
+    }
+
+    /** Number of pills that are left. */
+    public int pillsLeft() {
+        return pillsLeft;
+    }
+
+    /** Number of pills of the maze, whether or not this game started with all of them. */
+    public int pillsOfMaze() {
+        return tables.graph.pillCount();
+    }
+
+    /** Number of power pills that are left. */
+    public int powerPillsLeft() {
+        return powerPillsLeft;
+    }
+
+    /** Number of power pills of the maze. */
+    public int powerPillsOfMaze() {
+        return tables.graph.powerPillCount();
+    }
+
+    /** Whether an active power pill is closer than the given closeness, by shortest distance. */
+    public boolean isCloseToPowerPill() {
+        return (tables.closePowerPills[node] & activePowerPills) != 0;
+    }
+
+    /** Steps in this direction to the nearest active pill, or -1 if none is left. */
+    public int nearestPill() {
+        if (pillsLeft == 0) {
+            return -1;
+        }
+        if (least == 0) {
+            int here = tables.graph.pillNumber(node);
+            if (here >= 0 && (activePills[here >> 6] >>> here & 1) != 0) {
+                return 0;
+            }
+        }
+        int ahead = tables.pills.stepsToPillAhead(node, direction, activePills);
+        if (ahead > 0) {
+            return ahead;
+        }
+        int row = paths.rowOf(way);
+        int rank = tables.pills.firstActive(row, firstActiveRank[row], activePills);
+        firstActiveRank[row] = rank;
+        return PathTables.steps(way) + paths.rowLength(row, tables.pills.node(row, rank));
+    }
+
+    /** Steps in this direction to the nearest active power pill, or -1 if none is left. */
+    public int nearestPowerPill() {
+        int nearest = -1;
+        for (long left = activePowerPills; left != 0; left &= left - 1) {
+            int at = tables.graph.powerPillNode(Long.numberOfTrailingZeros(left));
+            int length = paths.length(way, least, at);
+            if (nearest < 0 || length < nearest) {
+                nearest = length;
+            }
+        }
+        return nearest;
+    }
+
+    /** Steps in this direction to the next junction. */
+    public int nearestJunction() {
+        return PathTables.steps(way);
+    }
+
+    /**
+     * Steps in this direction to the junction that is nth nearest in it, or -1 if there are no more than n.
+     *
+     * @param n from 0
+     */
+    public int nthNearestJunction(int n) {
+        if (n >= tables.graph.junctionCount()) {
+            return -1;
+        }
+        int found = -1;
+        for (int rank = 0; rank <= n; rank++) {
+            found = nextFartherJunction(found, rank);
+        }
+        return found;
+    }
+
+    /** Distance of the junction of a rank, given that of the rank before. */
+    private int nextFartherJunction(int before, int rank) {
+        int notFarther = 0;
+        int next = Integer.MAX_VALUE;
+        for (int j = 0; j < tables.graph.junctionCount(); j++) {
+            int length = paths.length(way, least, tables.graph.junctionNode(j));
+            if (length <= before) {
+                notFarther++;
+            } else {
+                next = Math.min(next, length);
+            }
+        }
+        // Several junctions may be equally far.
+        if (notFarther > rank) {
+            return before;
+        }
+        return next;
+    }
+
+    /**
+     * The ghost outside the lair that is nth nearest in this direction.
+     *
+     * @param n from 0
+     * @return its number, or -1 if there are no more than n
+     */
+    public int nthNearestGhost(int n) {
+        return n < ghostsOutside ? ghostOrder[n] : -1;
+    }
+
+    /** Steps in this direction to a ghost outside the lair. */
+    public int distanceToGhost(int ghost) {
+        return ghostDistance[ghost];
+    }
+
+    /** Whether a ghost outside the lair is on a way to Ms. Pac-Man that comes in from this direction. */
+    public boolean isApproaching(int ghost) {
+        return (neighboursPassed[ghost] >> direction & 1) != 0;
+    }
+
+    /** Whether no junction lies between Ms. Pac-Man and a ghost outside the lair in this direction, nor under the ghost. */
+    public boolean isTrapped(int ghost) {
+        return paths.ahead(way, ghostNode[ghost]) >= least;
+    }
+
+    /** Most active pills on a walk of the look-ahead depth in this direction that never turns back. */
+    public int mostPillsAhead() {
+        return tables.walks.mostPills(node, direction, activePills);
+    }
+
+    /** Most junctions on a walk of the look-ahead depth in this direction that never turns back. */
+    public int mostJunctionsAhead() {
+        return tables.walks.mostJunctions(node, direction);
+    }
+
+    /**
+     * Number of ways on from the next junction whose own next junctions can be reached safely; 0 if already the next junction
+     * cannot.
+     */
+    public int safeOptionsAfterJunction() {
+        if (!isSafe(paths.junction(way))) {
+            return 0;
+        }
+        int options = 0;
+        for (int number = 0; number < OnwardJunctions.MOST; number++) {
+            int beyond = tables.onward.beyond(node, direction, number);
+            if (beyond != CorridorPositions.NONE && isSafe(beyond)) {
+                options++;
+            }
+        }
+        return options;
+    }
+
+    // ---- The safety test (spec/mspacman-task.md, section 4.11) ----
+
+    /** Whether Ms. Pac-Man can reach a node in this direction before any ghost stops her. */
+    private boolean isSafe(int proposedTarget) {
+        int target = targetOrLastPill(proposedTarget);
+        int steps = paths.length(way, least, target);
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            boolean stopped;
+            if (lairTime[ghost] > 0) {
+                stopped = lairTime[ghost] < steps
+                        && tables.distances.between(tables.graph.ghostStart(), target) + lairTime[ghost] - MEETING_DISTANCE
+                                <= steps;
+            } else {
+                stopped = edibleTime[ghost] > 0
+                        ? stoppedByEdible(ghost, target, steps)
+                        : stoppedByThreat(ghost, target, steps);
+            }
+            if (stopped) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Eating the last pill ends the level: if all pills are on the way and no power pill is left, the last pill counts. */
+    private int targetOrLastPill(int target) {
+        if (pillsLeft == 0 || powerPillsLeft > 0 || pillsLeft > paths.length(way, least, target)) {
+            return target;
+        }
+        int last = target;
+        int longest = -1;
+        for (int word = 0; word < activePills.length; word++) {
+            for (long left = activePills[word]; left != 0; left &= left - 1) {
+                int pill = tables.graph.pillNode(64 * word + Long.numberOfTrailingZeros(left));
+                if (!isOnPath(pill, target)) {
+                    return target;
+                }
+                int length = paths.length(way, least, pill);
+                if (length > longest) {
+                    longest = length;
+                    last = pill;
+                }
+            }
+        }
+        return last;
+    }
+
+    private boolean stoppedByThreat(int ghost, int target, int steps) {
+        if (ghostNode[ghost] == target && !isApproaching(ghost)) {
+            return false;
+        }
+        if (mayBeOnPath(ghost, steps) && isOnPath(ghostNode[ghost], target)) {
+            if (runsAhead(ghost, target)) {
+                return false;
+            }
+            if (headsForPacMan(ghost)) {
+                return true;
+            }
+        }
+        return paths.length(ghostWay[ghost], 0, target) - MEETING_DISTANCE <= steps;
+    }
+
+    private boolean stoppedByEdible(int ghost, int target, int steps) {
+        if (mayBeOnPath(ghost, steps) && isOnPath(ghostNode[ghost], target)) {
+            if (runsAhead(ghost, target)) {
+                return false;
+            }
+            int between = tables.distances.between(ghostNode[ghost], node) - MEETING_DISTANCE;
+            if (headsForPacMan(ghost) && 2 * (between / 3) >= edibleTime[ghost]) {
+                return true;
+            }
+        }
+        return steps >= edibleTime[ghost]
+                && paths.length(ghostWay[ghost], 0, target) + edibleTime[ghost] - MEETING_DISTANCE <= steps;
+    }
+
+    /** Whether a ghost is so near that it can be on a path of so many steps. */
+    private boolean mayBeOnPath(int ghost, int steps) {
+        return tables.distances.between(node, ghostNode[ghost]) <= steps;
+    }
+
+    /** Whether a ghost, not on a junction, goes to the target on Ms. Pac-Man's own path; the ghost is on that path. */
+    private boolean runsAhead(int ghost, int target) {
+        if (tables.graph.isJunction(ghostNode[ghost])) {
+            return false;
+        }
+        int length = paths.path(ghostWay[ghost], 0, target, otherPath);
+        for (int i = 0; i < length; i++) {
+            if (!isOnPath(otherPath[i], target)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean headsForPacMan(int ghost) {
+        return ghostPathLength[ghost] == paths.undirectedLength(ghostNode[ghost], node);
+    }
+
+    /** Whether a node is on Ms. Pac-Man's path to a target in this direction. */
+    private boolean isOnPath(int at, int target) {
+        if (stampedTarget != target) {
+            stampedTarget = target;
+            stamp++;
+            int length = paths.path(way, least, target, ownPath);
+            for (int i = 0; i < length; i++) {
+                stamps[ownPath[i]] = stamp;
+            }
+        }
+        return stamps[at] == stamp;
+    }
+}
