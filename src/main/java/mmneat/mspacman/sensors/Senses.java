@@ -1,5 +1,9 @@
 package mmneat.mspacman.sensors;
 
+import java.util.stream.IntStream;
+import pacman.game.Game;
+import pacman.game.internal.MazeTables;
+
 /**
  * Senses games with the sensors of a suite: gives the inputs of a network for each direction. One thread uses it.
  *
@@ -28,6 +32,9 @@ public final class Senses {
     /** Value of each input of the common ones whose tangent is in {@link #activations}. */
     private final double[] knownValue;
 
+    private MazeTables knownMaze;
+    private SensorTables tables;
+
     Senses(SensorSuite suite) {
         this.suite = suite;
         int size = suite.size();
@@ -51,7 +58,7 @@ public final class Senses {
     }
 
     private int[] numbers(boolean ofDirectional) {
-        return java.util.stream.IntStream.range(0, sensors.length)
+        return IntStream.range(0, sensors.length)
                 .filter(i -> sensors[i].isDirectional() == ofDirectional)
                 .toArray();
     }
@@ -64,6 +71,21 @@ public final class Senses {
     /** The state that was taken in last. */
     public Situation situation() {
         return situation;
+    }
+
+    /**
+     * Takes in the state of a game.
+     *
+     * @param game read, not changed
+     */
+    public void observe(Game game) {
+        MazeTables maze = game.mazeTables();
+        if (maze != knownMaze) {
+            knownMaze = maze;
+            tables = suite.tables(maze);
+        }
+        situation.observe(game, tables);
+        senseCommon();
     }
 
     /** Senses what does not depend on the direction, after the situation has been set. */

@@ -1,6 +1,7 @@
 package mmneat.mspacman.sensors;
 
 import java.util.Arrays;
+import pacman.game.Game;
 
 /**
  * What sensors see: the state of a game in one time step, looked at in one direction from Ms. Pac-Man.
@@ -22,10 +23,12 @@ public final class Situation {
 
     private static final int MEETING_DISTANCE = 2;
 
+    private Game game;
     private SensorTables tables;
     private PathTables paths;
 
     // The state.
+    private int mazeIndex;
     private int node;
     private final int[] ghostNode = new int[GHOSTS];
     private final int[] edibleTime = new int[GHOSTS];
@@ -63,8 +66,29 @@ public final class Situation {
 
     // ---- Taking in the state ----
 
+    /** Takes in the state of a game. */
+    void observe(Game observed, SensorTables maze) {
+        game = observed;
+        enter(maze, observed.getMazeIndex());
+        placePacMan(observed.getPacmanCurrentNodeIndex());
+        for (int word = 0; word < activePills.length; word++) {
+            setPills(word, observed.pillBits(word));
+        }
+        setPowerPills(observed.powerPillBits());
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            placeGhost(
+                    ghost,
+                    observed.ghostNode(ghost),
+                    observed.ghostEdibleTime(ghost),
+                    observed.ghostLairTime(ghost),
+                    observed.ghostLastMove(ghost));
+        }
+        conclude();
+    }
+
     /** Sets the maze; pills are given afterwards. */
-    void enter(SensorTables maze) {
+    void enter(SensorTables maze, int index) {
+        mazeIndex = index;
         if (tables == maze) {
             return;
         }
@@ -166,9 +190,19 @@ public final class Situation {
 
     // ---- What sensors ask ----
 
+    /** The game, for sensors that want to know more: to be read only. */
+    public Game game() {
+        return game;
+    }
+
     /** The direction that is looked at, 0 to 3. */
     public int direction() {
         return direction;
+    }
+
+    /** Index of the maze, from 0. */
+    public int mazeIndex() {
+        return mazeIndex;
     }
 
     /** Ms. Pac-Man's node. */

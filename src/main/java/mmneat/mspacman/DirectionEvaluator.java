@@ -1,0 +1,178 @@
+package mmneat.mspacman;
+
+import mmneat.mspacman.modules.ModuleDivision;
+import mmneat.mspacman.sensors.Senses;
+import mmneat.mspacman.sensors.Situation;
+import mmneat.neat.ActivationFunction;
+import mmneat.neat.Genotype;
+import mmneat.neat.network.ModuleArbitration;
+import mmneat.neat.network.Network;
+import mmneat.neat.network.NetworkState;
+import mmneat.random.ResumableRandom;
+import pacman.game.Game;
+
+/**
+ * Plays Ms. Pac-Man by asking a network about each open direction and taking the one that it prefers.
+ *
+ * <p>Every direction has a network state of its own, which lasts as long as the direction stays open. Directions are numbered UP
+ * 0, RIGHT 1, DOWN 2, LEFT 3. One thread uses an object; nothing is allocated per step.
+ *
+ * <p>Source: spec/mspacman-task.md, section 3; the paper's section on direction evaluation.
+ */
+public final class DirectionEvaluator {
+
+    /** Instead of a direction: she asks that the game be ended. */
+    public static final int END_GAME = -1;
+
+    private static final int DIRECTIONS = 4;
+    private static final double WALL = -1;
+
+    private final Senses senses;
+
+    /** Names the module of a step; null if networks choose their modules themselves. */
+    private final ModuleDivision division;
+
+    private final NetworkState[] states = new NetworkState[DIRECTIONS];
+    private final double[] preferences = new double[DIRECTIONS];
+    private final boolean[] open = new boolean[DIRECTIONS];
+    private final ModuleUse use;
+    private final boolean usesTanh;
+    private int livesBefore = -1;
+
+    /**
+     * A player with a network.
+     *
+     * @param senses of this player alone
+     * @param genotype with as many inputs as there are sensors and one policy neuron per module
+     * @param arbitration how the network chooses among its modules
+     * @param division names the module of each step; null if the network's preference neurons choose
+     * @throws IllegalArgumentException if the genotype does not suit the sensors or the division
+     */
+    public DirectionEvaluator(
+            Senses senses, Genotype genotype, ModuleArbitration arbitration, ModuleDivision division) {
+        Network network = Network.compile(genotype);
+        if (network.inputs() != senses.suite().size()) {
+            throw new IllegalArgumentException("the network has " + network.inputs() + " inputs, but there are "
+                    + senses.suite().size() + " sensors");
+        }
+        if (network.layout().standardMultitask() && division == null) {
+            throw new IllegalArgumentException("a multitask network needs a division of the task (pacmanMultitaskScheme)");
+        }
+        if (division != null && network.layout().standardMultitask() && network.modules() < division.modules()) {
+            throw new IllegalArgumentException("the division of the task names " + division.modules()
+                    + " modules, but the network has " + network.modules());
+        }
+        this.senses = senses;
+        this.division = network.layout().standardMultitask() ? division : null;
+        for (int d = 0; d < DIRECTIONS; d++) {
+            states[d] = network.newState(arbitration);
+        }
+        use = new ModuleUse(network.modules());
+        usesTanh = genotype.nodes().stream()
+                .limit(genotype.inputs())
+                .allMatch(input -> input.activation() == ActivationFunction.TANH);
+    }
+
+    /** Becomes as new, for the next game. */
+    public void startGame() {
+        for (NetworkState state : states) {
+            state.reset();
+        }
+        use.clear();
+        livesBefore = -1;
+    }
+
+    /**
+     * Decides on a move.
+     *
+     * @param game read, not changed
+     * @param random draws one number per open direction (choice of the module) and two to break ties between directions
+     * @return 0 to 3, or {@link #END_GAME} if a limit of the level or its time is reached
+     */
+    public int decide(Game game, ResumableRandom random) {
+        if (game.getCurrentLevel() >= game.rules().maximumLevel()) {
+            return END_GAME;
+        }
+        flushAfterChange(game);
+        if (game.levelTimeLeft() <= 0) {
+            return END_GAME;
+        }
+        senses.observe(game);
+        Situation state = senses.situation();
+        int situation = ModuleUse.situation(state.highestEdibleTime() > 0, state.isAtJunction());
+        int module = division == null ? 0 : division.module(state);
+        for (int d = 0; d < DIRECTIONS; d++) {
+            open[d] = state.isOpen(d);
+            if (open[d]) {
+                if (division != null) {
+                    states[d].presetModule(module);
+                }
+                int used = usesTanh
+                        ? states[d].activateFrom(senses.activations(d), 0, random)
+                        : states[d].activate(senses.inputs(d), random);
+                use.countNetwork(d, situation, used);
+                preferences[d] = states[d].policyOutput(0);
+            } else {
+                states[d].flush();
+                preferences[d] = WALL;
+            }
+        }
+        // Quirk of the original: at a tie, the module counted may be that of a direction that is not taken.
+        use.countDecision(situation, states[preferredDirection(random)].lastModule());
+        return preferredDirection(random);
+    }
+
+    /** At the start of a level and after a lost life nothing is remembered. */
+    private void flushAfterChange(Game game) {
+        int lives = game.getPacmanNumberOfLivesRemaining();
+        if (game.getCurrentLevelTime() == 0 || lives < livesBefore) {
+            for (NetworkState state : states) {
+                state.flush();
+            }
+        }
+        livesBefore = lives;
+    }
+
+    /** The direction with the highest preference, drawn if several have it; drawn even if there is only one. */
+    private int preferredDirection(ResumableRandom random) {
+        double highest = preferences[0];
+        for (int d = 1; d < DIRECTIONS; d++) {
+            highest = Math.max(highest, preferences[d]);
+        }
+        int tied = 0;
+        for (double preference : preferences) {
+            tied += preference == highest ? 1 : 0;
+        }
+        int drawn = random.nextInt(tied);
+        int direction = 0;
+        while (preferences[direction] != highest || drawn-- > 0) {
+            direction++;
+        }
+        return direction;
+    }
+
+    /** How modules were used since the game started; changes with further steps. */
+    public ModuleUse moduleUse() {
+        return use;
+    }
+
+    /** Module usage that a genotype remembers: that of the LEFT direction's network. Quirk of the original. */
+    int[] rememberedModuleUsage() {
+        return states[DIRECTIONS - 1].moduleUsage();
+    }
+
+    /** Preference for a direction in the last decision; -1 for walls. */
+    public double preference(int direction) {
+        return preferences[direction];
+    }
+
+    /** Whether a direction was open in the last decision. */
+    public boolean wasOpen(int direction) {
+        return open[direction];
+    }
+
+    /** The module that the network of a direction used last. */
+    public int lastModule(int direction) {
+        return states[direction].lastModule();
+    }
+}

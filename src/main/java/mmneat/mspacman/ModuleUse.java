@@ -1,0 +1,114 @@
+package mmneat.mspacman;
+
+import java.util.Arrays;
+
+/**
+ * How often output modules were used, by situation.
+ *
+ * <p>Source: spec/mspacman-task.md, section 9; the paper's figures of module use count the module of the chosen direction.
+ */
+public final class ModuleUse {
+
+    /** Situations in which module use is counted. */
+    public enum When {
+        ALL,
+        AT_JUNCTION,
+        /** Some ghost is edible. */
+        EDIBLE,
+        /** No ghost is edible. */
+        THREAT,
+        EDIBLE_AT_JUNCTION,
+        THREAT_AT_JUNCTION
+    }
+
+    private static final int DIRECTIONS = 4;
+    private static final int EDIBLE_BIT = 1;
+    private static final int JUNCTION_BIT = 2;
+
+    /** Counter of the direction chosen, behind those of the four networks. */
+    private static final int CHOSEN = DIRECTIONS;
+
+    private final int modules;
+
+    /** Uses of module m in situation s (two bits) by network n, at index (4 n + s) modules + m. */
+    private final int[] counts;
+
+    private int decisions;
+
+    /** Nothing used yet. */
+    public ModuleUse(int modules) {
+        this.modules = modules;
+        counts = new int[(DIRECTIONS + 1) * 4 * modules];
+    }
+
+    static int situation(boolean edible, boolean atJunction) {
+        return (edible ? EDIBLE_BIT : 0) | (atJunction ? JUNCTION_BIT : 0);
+    }
+
+    /** The network of a direction used a module. */
+    void countNetwork(int direction, int situation, int module) {
+        counts[(4 * direction + situation) * modules + module]++;
+    }
+
+    /** A decision was made for a direction whose network last used a module. */
+    void countDecision(int situation, int module) {
+        decisions++;
+        counts[(4 * CHOSEN + situation) * modules + module]++;
+    }
+
+    void clear() {
+        decisions = 0;
+        Arrays.fill(counts, 0);
+    }
+
+    /** Adds what another use, of as many modules, counted. */
+    public void add(ModuleUse other) {
+        decisions += other.decisions;
+        for (int i = 0; i < counts.length; i++) {
+            counts[i] += other.counts[i];
+        }
+    }
+
+    /** The same counts, independent of what is counted here later. */
+    public ModuleUse copy() {
+        ModuleUse copy = new ModuleUse(modules);
+        copy.add(this);
+        return copy;
+    }
+
+    /** Number of decisions: time steps in which a direction was chosen. */
+    public int decisions() {
+        return decisions;
+    }
+
+    /** How often the network of the chosen direction used each module. */
+    public int[] ofChosenDirection(When when) {
+        return sum(CHOSEN, when);
+    }
+
+    /** How often the network of a direction, 0 to 3, used each module. */
+    public int[] ofNetwork(int direction, When when) {
+        return sum(direction, when);
+    }
+
+    private int[] sum(int network, When when) {
+        int[] sum = new int[modules];
+        for (int situation = 0; situation < 4; situation++) {
+            boolean edible = (situation & EDIBLE_BIT) != 0;
+            boolean atJunction = (situation & JUNCTION_BIT) != 0;
+            boolean counts =
+                    switch (when) {
+                        case ALL -> true;
+                        case AT_JUNCTION -> atJunction;
+                        case EDIBLE -> edible;
+                        case THREAT -> !edible;
+                        case EDIBLE_AT_JUNCTION -> edible && atJunction;
+                        case THREAT_AT_JUNCTION -> !edible && atJunction;
+                    };
+            for (int module = 0; module < modules && counts; module++) {
+                sum[module] += this.counts[(4 * network + situation) * modules + module];
+            }
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,239 @@
+package mmneat.mspacman;
+
+import java.util.EnumMap;
+import java.util.List;
+import mmneat.evolution.Evaluation;
+import mmneat.evolution.Evaluation.Outcomes;
+import mmneat.evolution.Task;
+import mmneat.evolution.TrialStatistic;
+import mmneat.mspacman.objectives.GameScore;
+import mmneat.mspacman.objectives.RecordedScore;
+import mmneat.mspacman.sensors.SensorSuite;
+import mmneat.mspacman.sensors.Senses;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+import pacman.controllers.NewGhostController;
+import pacman.controllers.ReadOnlyController;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * The task of the paper: evolve networks that play Ms. Pac-Man. An evaluation plays several trials and aggregates their scores.
+ *
+ * <p>Source: spec/mspacman-task.md, sections 2 and 5.
+ */
+public final class MsPacManTask implements Task {
+
+    private static final MOVE[] MOVES = MOVE.values();
+
+    private final MsPacManTaskSettings settings;
+    private final SensorSuite suite;
+    private final Senses senses;
+    private final List<TrialGame> games;
+    private final List<GameScore> objectives = GameScore.publishedObjectives();
+    private final List<RecordedScore> others;
+    private final NewGhostController ghosts;
+    private final ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
+
+    /** Stands where the game's generator stands when ghosts that only read draw from it. */
+    private final ResumableRandom scratch = new ResumableRandom(0);
+
+    /** A task; it belongs to one thread. */
+    public MsPacManTask(MsPacManTaskSettings settings) {
+        this.settings = settings;
+        suite = SensorSuite.of(settings.sensors());
+        senses = suite.newSenses();
+        games = TrialGame.of(settings.version(), settings.rules());
+        others = RecordedScore.ofTheOriginal(settings.rules());
+        ghosts = settings.ghosts().get();
+        readOnlyGhosts = readOnly(ghosts);
+    }
+
+    /** The team as one that only reads, if it is one of ours; a subclass may do more than read. */
+    @SuppressWarnings("unchecked") // Ghost controllers answer with a map, whether they only read or not.
+    private static ReadOnlyController<EnumMap<GHOST, MOVE>> readOnly(NewGhostController team) {
+        boolean isOurs = team.getClass().getPackageName().equals("pacman.controllers.examples");
+        return isOurs && team instanceof ReadOnlyController<?> reader
+                ? (ReadOnlyController<EnumMap<GHOST, MOVE>>) reader
+                : null;
+    }
+
+    /** What an evaluation is. */
+    public MsPacManTaskSettings settings() {
+        return settings;
+    }
+
+    @Override
+    public List<String> objectiveNames() {
+        return objectives.stream().map(GameScore::name).toList();
+    }
+
+    @Override
+    public List<String> otherScoreNames() {
+        return others.stream().map(other -> other.score().name()).toList();
+    }
+
+    @Override
+    public List<String> otherScoreLabels() {
+        return others.stream().map(RecordedScore::label).toList();
+    }
+
+    /** {@inheritDoc} Here the mean game score. */
+    @Override
+    public double championScore(Evaluation evaluation) {
+        return evaluation.otherScores()[0];
+    }
+
+    @Override
+    public List<String> inputLabels() {
+        return suite.labels(-1);
+    }
+
+    @Override
+    public int policyNeuronsPerModule() {
+        return 1;
+    }
+
+    @Override
+    public int trials() {
+        return settings.trials();
+    }
+
+    @Override
+    public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+        return evaluate(genotype, random, null);
+    }
+
+    /**
+     * Scores a genotype while somebody looks on, who has no influence on the result.
+     *
+     * @param observer may be null
+     * @throws IllegalArgumentException if the genotype's inputs or modules do not suit the task
+     */
+    public Evaluation evaluate(Genotype genotype, ResumableRandom random, EvaluationObserver observer) {
+        DirectionEvaluator player =
+                new DirectionEvaluator(senses, genotype, settings.arbitration(), settings.division());
+        double[][] trialObjectives = new double[objectives.size()][trials()];
+        double[][] trialOthers = new double[others.size()][trials()];
+        Outcomes outcomes = Outcomes.NONE;
+        for (int trial = 0; trial < trials(); trial++) {
+            if (observer != null) {
+                observer.trialStarted(trial);
+            }
+            for (TrialGame setting : games) {
+                long seed = settings.deterministic() ? trial : random.nextLong();
+                Game game = new Game(seed, setting.rules(), random);
+                GameEnd end = play(setting, game, player, random, observer);
+                outcomes = outcomes.plus(outcome(game, end));
+                addScores(setting, game, trial, trialObjectives, trialOthers);
+            }
+            if (observer != null) {
+                observer.trialOver(trial, column(trialObjectives, trial), column(trialOthers, trial));
+            }
+        }
+        return new Evaluation(
+                aggregate(trialObjectives, i -> TrialStatistic.AVERAGE),
+                aggregate(trialOthers, i -> others.get(i).statistic()),
+                player.rememberedModuleUsage(),
+                outcomes);
+    }
+
+    private GameEnd play(
+            TrialGame setting,
+            Game game,
+            DirectionEvaluator player,
+            ResumableRandom random,
+            EvaluationObserver observer) {
+        player.startGame();
+        ghosts.reset();
+        if (observer != null) {
+            observer.gameStarted(setting, game);
+        }
+        boolean askedForEnd = false;
+        while (!game.gameOver()) {
+            int level = game.getCurrentLevel();
+            int maze = game.getMazeIndex();
+            int direction = player.decide(game, random);
+            askedForEnd = direction == DirectionEvaluator.END_GAME;
+            game.advanceGame(askedForEnd ? null : MOVES[direction], ghostMoves(game));
+            if (observer != null) {
+                observer.stepPlayed(game, player);
+                if (game.getCurrentLevel() > level) {
+                    observer.levelFinished(level, maze);
+                }
+            }
+        }
+        GameEnd end = end(game, askedForEnd);
+        if (observer != null) {
+            observer.gameOver(setting, game, end, player);
+        }
+        return end;
+    }
+
+    private EnumMap<GHOST, MOVE> ghostMoves(Game game) {
+        if (readOnlyGhosts == null) {
+            return ghosts.getMove(game.copy(), -1);
+        }
+        scratch.continueAs(game.rnd);
+        return readOnlyGhosts.decide(game, scratch);
+    }
+
+    private static GameEnd end(Game game, boolean askedForEnd) {
+        if (askedForEnd) {
+            return GameEnd.LEVEL_TIME_LIMIT;
+        }
+        if (game.getPacmanNumberOfLivesRemaining() <= 0) {
+            return GameEnd.LOST_ALL_LIVES;
+        }
+        return game.getCurrentLevel() >= game.rules().maximumLevel()
+                ? GameEnd.ALL_LEVELS_BEATEN
+                : GameEnd.GAME_TIME_LIMIT;
+    }
+
+    private static Outcomes outcome(Game game, GameEnd end) {
+        // A level that ends twice counts twice: the quirk of spec/mspacman-task.md, section 7.3.
+        int beaten = Math.max(0, game.getCurrentLevel() - game.rules().maximumLevel() + 1);
+        return new Outcomes(
+                beaten,
+                end == GameEnd.LEVEL_TIME_LIMIT ? 1 : 0,
+                game.getPacmanNumberOfLivesRemaining() <= 0 ? 1 : 0,
+                game.getTotalTime());
+    }
+
+    /** Objectives first, then the others in their order: asking some of them has side effects on the game. */
+    private void addScores(
+            TrialGame setting, Game game, int trial, double[][] trialObjectives, double[][] trialOthers) {
+        for (int i = 0; i < objectives.size(); i++) {
+            GameScore objective = objectives.get(i);
+            if (setting.countsGhosts() || objective != GameScore.GHOST_REWARD) {
+                trialObjectives[i][trial] = plus(trialObjectives[i][trial], objective.of(game), setting);
+            }
+        }
+        for (int i = 0; i < others.size(); i++) {
+            trialOthers[i][trial] =
+                    plus(trialOthers[i][trial], others.get(i).score().of(game), setting);
+        }
+    }
+
+    /** The first game's score is taken over, so that minus zero stays what it is. */
+    private double plus(double sum, double score, TrialGame setting) {
+        return setting == games.get(0) ? score : sum + score;
+    }
+
+    private static double[] column(double[][] scores, int trial) {
+        double[] column = new double[scores.length];
+        for (int i = 0; i < scores.length; i++) {
+            column[i] = scores[i][trial];
+        }
+        return column;
+    }
+
+    private static double[] aggregate(double[][] scores, java.util.function.IntFunction<TrialStatistic> statistic) {
+        double[] aggregated = new double[scores.length];
+        for (int i = 0; i < scores.length; i++) {
+            aggregated[i] = statistic.apply(i).of(scores[i]);
+        }
+        return aggregated;
+    }
+}

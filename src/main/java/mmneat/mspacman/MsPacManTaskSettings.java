@@ -1,0 +1,80 @@
+package mmneat.mspacman;
+
+import java.util.function.Supplier;
+import mmneat.mspacman.modules.ModuleDivision;
+import mmneat.mspacman.sensors.SensorSettings;
+import mmneat.neat.network.ModuleArbitration;
+import pacman.controllers.NewGhostController;
+import pacman.controllers.examples.Legacy;
+import pacman.game.GameRules;
+import pacman.game.GhostLocations;
+
+/**
+ * What an evaluation in the Ms. Pac-Man task is. Immutable.
+ *
+ * <p>Source: spec/mspacman-task.md, sections 1, 2 and 7.
+ *
+ * @param version which games make a trial
+ * @param trials trials per evaluation, at least 1
+ * @param rules of a full game; in the isolated version its games are derived from them
+ * @param sensors what networks sense
+ * @param division names the module of each step for multitask networks; null if there is none
+ * @param arbitration how networks choose among their modules
+ * @param ghosts makes the ghost team, one per task
+ * @param deterministic whether a game's seed is the number of its trial instead of a number drawn for it
+ */
+public record MsPacManTaskSettings(
+        TaskVersion version,
+        int trials,
+        GameRules rules,
+        SensorSettings sensors,
+        ModuleDivision division,
+        ModuleArbitration arbitration,
+        Supplier<NewGhostController> ghosts,
+        boolean deterministic) {
+
+    private static final int PUBLISHED_TRIALS = 10;
+
+    public MsPacManTaskSettings {
+        if (trials < 1) {
+            throw new IllegalArgumentException("trials must be at least 1, is " + trials);
+        }
+        if (version == TaskVersion.ISOLATED && rules.ghostLocations() == null) {
+            throw new IllegalArgumentException(
+                    "the isolated version needs recorded ghost locations (mazePowerPillGhostMapping)");
+        }
+    }
+
+    /** The published blended version, for networks that choose their modules themselves. */
+    public static MsPacManTaskSettings blended() {
+        return published(TaskVersion.BLENDED, GameRules.blended(), SensorSettings.blended());
+    }
+
+    /** The published interleaved version, for networks that choose their modules themselves. */
+    public static MsPacManTaskSettings interleaved() {
+        return published(TaskVersion.INTERLEAVED, GameRules.interleaved(), SensorSettings.imprisoned());
+    }
+
+    /** The published isolated version, for networks that choose their modules themselves. */
+    public static MsPacManTaskSettings isolated(GhostLocations locations) {
+        GameRules rules =
+                GameRules.interleaved().with().ghostLocations(locations).build();
+        return published(TaskVersion.ISOLATED, rules, SensorSettings.imprisoned());
+    }
+
+    private static MsPacManTaskSettings published(TaskVersion version, GameRules rules, SensorSettings sensors) {
+        return new MsPacManTaskSettings(
+                version, PUBLISHED_TRIALS, rules, sensors, null, ModuleArbitration.PREFERENCE, Legacy::new, false);
+    }
+
+    /** The same with another number of trials. */
+    public MsPacManTaskSettings withTrials(int number) {
+        return new MsPacManTaskSettings(
+                version, number, rules, sensors, division, arbitration, ghosts, deterministic);
+    }
+
+    /** The same for multitask networks. */
+    public MsPacManTaskSettings withDivision(ModuleDivision ofTask) {
+        return new MsPacManTaskSettings(version, trials, rules, sensors, ofTask, arbitration, ghosts, deterministic);
+    }
+}

@@ -1,0 +1,17 @@
+package mmneat.mspacman.modules;
+
+import mmneat.mspacman.sensors.Situation;
+
+/** Module 0 if no ghost is a threat, else 1. Not part of the published experiments. */
+public record AnyGhostThreat() implements ModuleDivision {
+
+    @Override
+    public int modules() {
+        return 2;
+    }
+
+    @Override
+    public int module(Situation situation) {
+        return situation.threats() == 0 ? 0 : 1;
+    }
+}

@@ -1,0 +1,17 @@
+package mmneat.mspacman.modules;
+
+import mmneat.mspacman.sensors.Situation;
+
+/** Module 0 while power pills or edible ghosts remain, else 1. Not part of the published experiments. */
+public record GhostsThenPills() implements ModuleDivision {
+
+    @Override
+    public int modules() {
+        return 2;
+    }
+
+    @Override
+    public int module(Situation situation) {
+        return situation.powerPillsLeft() > 0 || situation.highestEdibleTime() > 0 ? 0 : 1;
+    }
+}

@@ -1,0 +1,64 @@
+package mmneat.mspacman.modules;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** Finds divisions by the names that the parameter {@code pacmanMultitaskScheme} gives them. */
+public final class ModuleDivisions {
+
+    /** The original's class names, without package and without "ModeSelector". */
+    private static final Map<String, ModuleDivision> KNOWN = known();
+
+    private ModuleDivisions() {}
+
+    private static Map<String, ModuleDivision> known() {
+        Map<String, ModuleDivision> known = new LinkedHashMap<>();
+        known.put("AnyGhostEdible", new AnyGhostEdible());
+        known.put("GhostThreatEdibleOrBoth", new ThreatEdibleOrBoth());
+        known.put("AnyPills", new AnyPills());
+        known.put("AnyGhostThreat", new AnyGhostThreat());
+        known.put("NumberThreatGhosts", new NumberOfThreats());
+        known.put("GhostsThenPills", new GhostsThenPills());
+        known.put("Maze", new EachMaze());
+        return known;
+    }
+
+    /**
+     * The division with a name: the original's class name, with or without its package, or the name of a class of one's own
+     * on the class path.
+     *
+     * @throws IllegalArgumentException if there is none; the message says what is known
+     */
+    public static ModuleDivision named(String name) {
+        String simple = name.substring(name.lastIndexOf('.') + 1);
+        ModuleDivision known = KNOWN.get(
+                simple.endsWith("ModeSelector") ? simple.substring(0, simple.length() - "ModeSelector".length()) : simple);
+        return known != null ? known : load(name);
+    }
+
+    private static ModuleDivision load(String name) {
+        try {
+            return Class.forName(name)
+                    .asSubclass(ModuleDivision.class)
+                    .getConstructor()
+                    .newInstance();
+        } catch (ClassNotFoundException e) {
+            throw new IllegalArgumentException(
+                    "pacmanMultitaskScheme: " + name + " is neither a class on the class path nor one of "
+                            + KNOWN.keySet().stream()
+                                    .map(known -> known + "ModeSelector")
+                                    .collect(Collectors.joining(", ")),
+                    e);
+        } catch (ClassCastException e) {
+            throw new IllegalArgumentException(
+                    "pacmanMultitaskScheme: " + name + " does not implement " + ModuleDivision.class.getName(), e);
+        } catch (NoSuchMethodException e) {
+            throw new IllegalArgumentException(
+                    "pacmanMultitaskScheme: " + name + " needs a public constructor without arguments", e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalArgumentException(
+                    "pacmanMultitaskScheme: " + name + " cannot be created: " + e.getMessage(), e);
+        }
+    }
+}

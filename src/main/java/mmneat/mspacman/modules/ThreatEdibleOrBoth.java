@@ -1,0 +1,25 @@
+package mmneat.mspacman.modules;
+
+import mmneat.mspacman.sensors.Situation;
+
+/**
+ * Module 1 if all ghosts are threats or in the lair (also if all are in the lair), 0 if all are edible or in the lair, 2 if
+ * there are both. The division of MT3 (blended).
+ */
+public record ThreatEdibleOrBoth() implements ModuleDivision {
+
+    @Override
+    public int modules() {
+        return 3;
+    }
+
+    @Override
+    public int module(Situation situation) {
+        int threats = situation.threats();
+        int edible = situation.edibleGhosts();
+        if (edible == 0) {
+            return 1;
+        }
+        return threats == 0 ? 0 : 2;
+    }
+}

@@ -1,0 +1,55 @@
+package mmneat.mspacman.objectives;
+
+import static mmneat.evolution.TrialStatistic.AVERAGE;
+import static mmneat.evolution.TrialStatistic.MAX;
+import static mmneat.evolution.TrialStatistic.MODE;
+
+import java.util.ArrayList;
+import java.util.List;
+import mmneat.evolution.TrialStatistic;
+import pacman.game.GameRules;
+
+/**
+ * A score that is recorded but not selected for, and how it is formed from trials.
+ *
+ * <p>Source: spec/mspacman-task.md, section 5.
+ *
+ * @param score what is recorded of each trial
+ * @param statistic how trials become one number
+ */
+public record RecordedScore(GameScore score, TrialStatistic statistic) {
+
+    /** The 26 of the original, in its order, which has side effects: see the scores. */
+    public static List<RecordedScore> ofTheOriginal(GameRules rules) {
+        GameScore survival = GameScore.survivalAndSpeed(rules);
+        List<RecordedScore> recorded = new ArrayList<>();
+        add(recorded, GameScore.POINTS, AVERAGE, MAX);
+        add(recorded, GameScore.PILLS, AVERAGE, MAX);
+        add(recorded, GameScore.GHOSTS_PER_POWER_PILL, AVERAGE);
+        add(recorded, GameScore.GHOSTS_PER_EATEN_POWER_PILL, AVERAGE);
+        add(recorded, GameScore.GHOST_REWARD, AVERAGE, MAX);
+        add(recorded, GameScore.LEVELS, AVERAGE, MAX, MODE);
+        add(recorded, GameScore.EATEN_GHOSTS, AVERAGE, MAX);
+        add(recorded, GameScore.GHOST_REGRET, AVERAGE);
+        add(recorded, GameScore.LURING, AVERAGE);
+        add(recorded, GameScore.PROPERLY_EATEN_POWER_PILLS, AVERAGE);
+        add(recorded, GameScore.IMPROPERLY_EATEN_POWER_PILLS, AVERAGE);
+        add(recorded, GameScore.POWER_PILLS_EATEN_WHEN_GHOSTS_FAR, AVERAGE);
+        add(recorded, survival, AVERAGE, MAX);
+        GameScore.pointsOfLevels().forEach(points -> add(recorded, points, AVERAGE));
+        add(recorded, GameScore.parameter("EdibleTimeParameter", rules.edibleTime()), AVERAGE);
+        add(recorded, GameScore.parameter("LairTimeParameter", rules.lairTime()), AVERAGE);
+        return List.copyOf(recorded);
+    }
+
+    private static void add(List<RecordedScore> recorded, GameScore score, TrialStatistic... statistics) {
+        for (TrialStatistic statistic : statistics) {
+            recorded.add(new RecordedScore(score, statistic));
+        }
+    }
+
+    /** The score's name, with the statistic if it is not the average: {@code GameScore[Max]}. */
+    public String label() {
+        return statistic == AVERAGE ? score.name() : score.name() + "[" + statistic.label() + "]";
+    }
+}

@@ -1,0 +1,2 @@
+/** What a network senses: one small class per sensor, over tables that answer questions about paths without searching. */
+package mmneat.mspacman.sensors;
