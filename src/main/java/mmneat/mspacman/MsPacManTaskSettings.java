@@ -7,6 +7,7 @@ import mmneat.neat.network.ModuleArbitration;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.examples.Legacy;
 import pacman.game.GameRules;
+import pacman.game.GameSwitches;
 import pacman.game.GhostLocations;
 
 /**
@@ -57,8 +58,11 @@ public record MsPacManTaskSettings(
 
     /** The published isolated version, for networks that choose their modules themselves. */
     public static MsPacManTaskSettings isolated(GhostLocations locations) {
-        GameRules rules =
-                GameRules.interleaved().with().ghostLocations(locations).build();
+        GameRules rules = GameRules.interleaved()
+                .with()
+                .switches(GameSwitches.PILL_TASK)
+                .ghostLocations(locations)
+                .build();
         return published(TaskVersion.ISOLATED, rules, SensorSettings.imprisoned());
     }
 
