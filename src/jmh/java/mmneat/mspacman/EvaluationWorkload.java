@@ -1,0 +1,93 @@
+package mmneat.mspacman;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.util.ArrayList;
+import java.util.List;
+import mmneat.neat.GenePool;
+import mmneat.neat.Genotype;
+import mmneat.neat.InitialNetworks;
+import mmneat.neat.LinkGene;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.MutationRates;
+import mmneat.neat.Reproduction;
+import mmneat.neat.VariationSettings;
+import mmneat.random.ResumableRandom;
+import pacman.game.GhostLocations;
+import pacman.game.internal.MazeGraph;
+import pacman.game.internal.Mazes;
+
+/** Networks and tasks for measuring whole evaluations. */
+final class EvaluationWorkload {
+
+    private static final ModuleLayout TWO_MODULES = new ModuleLayout(4, 2, 1, false);
+
+    private EvaluationWorkload() {}
+
+    static MsPacManTask task(TaskVersion version) {
+        return new MsPacManTask(
+                switch (version) {
+                    case BLENDED -> MsPacManTaskSettings.blended();
+                    case INTERLEAVED -> MsPacManTaskSettings.interleaved();
+                    case ISOLATED -> MsPacManTaskSettings.isolated(anyGhostLocations());
+                });
+    }
+
+    /** Networks of two modules with so many mutations behind them, as in an early generation. */
+    static List<Genotype> mutated(int inputs, int count, int mutations) {
+        ResumableRandom random = new ResumableRandom(1);
+        List<Genotype> networks = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Genotype network = new InitialNetworks(inputs, TWO_MODULES).create(i, random);
+            Reproduction reproduction =
+                    new Reproduction(new VariationSettings(MutationRates.PUBLISHED), GenePool.foundedOn(network));
+            for (int m = 0; m < mutations; m++) {
+                network = reproduction.fromOne(network, random).genotype();
+            }
+            networks.add(network);
+        }
+        return networks;
+    }
+
+    /** Networks of the size of a champion: 25 hidden neurons and at least 180 links. */
+    static List<Genotype> grown(int inputs, int count) {
+        ResumableRandom random = new ResumableRandom(2);
+        MutationRates growing = MutationRates.PUBLISHED;
+        List<Genotype> networks = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Genotype network = new InitialNetworks(inputs, TWO_MODULES).create(i, random);
+            Reproduction reproduction = new Reproduction(new VariationSettings(growing), GenePool.foundedOn(network));
+            while (network.hidden() < 25 || activeLinks(network) < 180) {
+                Genotype next = reproduction.fromOne(network, random).genotype();
+                network = next.hidden() <= 25 ? next : network;
+            }
+            networks.add(network);
+        }
+        return networks;
+    }
+
+    private static long activeLinks(Genotype network) {
+        return network.links().stream().filter(LinkGene::active).count();
+    }
+
+    /** Random places, since a recording is data of an experiment: ghosts anywhere in the maze. */
+    private static GhostLocations anyGhostLocations() {
+        ResumableRandom random = new ResumableRandom(3);
+        StringBuilder text = new StringBuilder();
+        for (int maze = 0; maze < 4; maze++) {
+            MazeGraph graph = Mazes.standard().get(maze).graph();
+            for (int line = 0; line < 4 * GhostLocations.SITUATIONS; line++) {
+                text.append(maze).append('\t').append(line % 4);
+                for (int ghost = 0; ghost < 4; ghost++) {
+                    text.append('\t').append(random.nextInt(graph.lair()));
+                }
+                text.append('\n');
+            }
+        }
+        try {
+            return GhostLocations.read("random locations", new StringReader(text.toString()));
+        } catch (IOException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}
