@@ -28,6 +28,9 @@ final class SensorTables {
     /** Power pills close to each node, as bits. */
     final long[] closePowerPills;
 
+    /** Distance of each node from where ghosts leave the lair. */
+    final short[] fromLairExit;
+
     private record Key(int lookAhead, double closeness) {}
 
     /**
@@ -51,7 +54,9 @@ final class SensorTables {
         onward = new OnwardJunctions(graph, paths);
         walks = new WalkTables(graph, lookAhead);
         closePowerPills = new long[graph.nodeCount()];
+        fromLairExit = new short[graph.nodeCount()];
         for (int v = 0; v < graph.lair(); v++) {
+            fromLairExit[v] = (short) distances.between(graph.ghostStart(), v);
             for (int power = 0; power < graph.powerPillCount(); power++) {
                 if (distances.between(v, graph.powerPillNode(power)) < closeness) {
                     closePowerPills[v] |= 1L << power;

@@ -23,6 +23,9 @@ public final class Situation {
 
     private static final int MEETING_DISTANCE = 2;
 
+    /** A path passes every node at most so often: leg, path between junctions, leg. */
+    private static final int LONGEST_PATH = 3;
+
     private Game game;
     private SensorTables tables;
     private PathTables paths;
@@ -41,6 +44,10 @@ public final class Situation {
     // What follows from the state.
     private final long[] ghostWay = new long[GHOSTS];
     private final int[] ghostPathLength = new int[GHOSTS];
+
+    /** Shortest distance of each ghost outside the lair from Ms. Pac-Man, turning back allowed. */
+    private final int[] plainDistance = new int[GHOSTS];
+
     private final int[] neighboursPassed = new int[GHOSTS];
     private int highestEdibleTime;
     private int edibleGhosts;
@@ -94,13 +101,18 @@ public final class Situation {
         }
         tables = maze;
         paths = maze.paths;
-        int nodes = maze.graph.nodeCount();
         activePills = new long[maze.graph.pillWords()];
-        firstActiveRank = new int[paths.rowCount()];
-        ownPath = new int[4 * nodes];
-        otherPath = new int[4 * nodes];
-        stamps = new int[nodes];
-        stamp = 0;
+        int rows = paths.rowCount();
+        if (firstActiveRank.length < rows) {
+            firstActiveRank = new int[rows];
+        }
+        int nodes = maze.graph.nodeCount();
+        if (stamps.length < nodes) {
+            stamps = new int[nodes];
+            ownPath = new int[LONGEST_PATH * nodes];
+            otherPath = new int[LONGEST_PATH * nodes];
+        }
+        Arrays.fill(firstActiveRank, 0);
     }
 
     /** Sets Ms. Pac-Man's node. */
@@ -155,6 +167,7 @@ public final class Situation {
                 threats++;
             }
             if (isOutside(ghost)) {
+                plainDistance[ghost] = tables.distances.between(ghostNode[ghost], node);
                 ghostPathLength[ghost] = paths.length(ghostWay[ghost], 0, node);
                 neighboursPassed[ghost] = paths.neighboursPassed(ghostWay[ghost], node);
             }
@@ -421,8 +434,7 @@ public final class Situation {
             boolean stopped;
             if (lairTime[ghost] > 0) {
                 stopped = lairTime[ghost] < steps
-                        && tables.distances.between(tables.graph.ghostStart(), target) + lairTime[ghost] - MEETING_DISTANCE
-                                <= steps;
+                        && tables.fromLairExit[target] + lairTime[ghost] - MEETING_DISTANCE <= steps;
             } else {
                 stopped = edibleTime[ghost] > 0
                         ? stoppedByEdible(ghost, target, steps)
@@ -478,7 +490,7 @@ public final class Situation {
             if (runsAhead(ghost, target)) {
                 return false;
             }
-            int between = tables.distances.between(ghostNode[ghost], node) - MEETING_DISTANCE;
+            int between = plainDistance[ghost] - MEETING_DISTANCE;
             if (headsForPacMan(ghost) && 2 * (between / 3) >= edibleTime[ghost]) {
                 return true;
             }
@@ -489,7 +501,7 @@ public final class Situation {
 
     /** Whether a ghost is so near that it can be on a path of so many steps. */
     private boolean mayBeOnPath(int ghost, int steps) {
-        return tables.distances.between(node, ghostNode[ghost]) <= steps;
+        return plainDistance[ghost] <= steps;
     }
 
     /** Whether a ghost, not on a junction, goes to the target on Ms. Pac-Man's own path; the ghost is on that path. */
