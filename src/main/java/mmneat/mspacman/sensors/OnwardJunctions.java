@@ -1,56 +1,112 @@
 package mmneat.mspacman.sensors;
 
-import java.util.Arrays;
 import pacman.game.internal.MazeGraph;
 
 /**
- * The junctions beyond the next one: where the moves at the next junction lead, without those that lead back to where Ms.
- * Pac-Man is.
+ * The junctions beyond the next one: where the moves at the next junction lead, the paths to there, and which of the moves lead
+ * back to where Ms. Pac-Man is.
  *
  * <p>Source: spec/mspacman-task.md, section 4.10.
  */
 final class OnwardJunctions {
 
-    /** Most onward moves: of four, one leads back. */
-    static final int MOST = 3;
+    /*
+     * From the next junction on everything depends only on the row, that is, on this junction and the move that enters it.
+     * Per row and onward move there are the junction that is reached next, and the path there from the row's junction: its
+     * length and the set of its nodes, as bits. Which moves lead back depends on Ms. Pac-Man's node: four bits for each way
+     * of leaving it.
+     */
 
-    /** At most three junctions for node v and direction d, at index 3 (4 v + d), in the order of the moves; the rest NONE. */
-    private final int[] beyond;
+    private final MazeGraph graph;
+
+    /** Longs in a set of nodes. */
+    private final int words;
+
+    /** Junction reached by move m at row r's junction, at index 4 r + m, or NONE. */
+    private final int[] junctions;
+
+    /** Steps of the path from row r's junction to there, at index 4 r + m. */
+    private final int[] lengths;
+
+    /** Nodes of that path, {@link #words} longs from index words (4 r + m). */
+    private final long[] nodes;
+
+    /** Moves, as bits, that lead on from the next junction and not back, for node v and direction d at index 4 v + d. */
+    private final byte[] moves;
 
     OnwardJunctions(MazeGraph graph, PathTables paths) {
-        beyond = new int[12 * graph.nodeCount()];
-        Arrays.fill(beyond, CorridorPositions.NONE);
-        for (int v = 0; v < graph.nodeCount(); v++) {
+        this.graph = graph;
+        words = (graph.nodeCount() + 63) / 64;
+        int rows = paths.rowCount();
+        junctions = new int[4 * rows];
+        lengths = new int[4 * rows];
+        nodes = new long[4 * rows * words];
+        moves = new byte[4 * graph.nodeCount()];
+        int[] path = new int[PathTables.LONGEST * graph.nodeCount()];
+        for (int row = 0; row < rows; row++) {
+            for (int m = 0; m < 4; m++) {
+                fillOnward(paths, row, m, path);
+            }
+        }
+        for (int v = 0; v < graph.lair(); v++) {
             for (int d = 0; d < 4; d++) {
                 if (graph.neighbour(v, d) != CorridorPositions.NONE) {
-                    fill(graph, paths, v, d);
+                    moves[4 * v + d] = (byte) movesOn(paths, v, d);
                 }
             }
         }
     }
 
-    private void fill(MazeGraph graph, PathTables paths, int node, int direction) {
+    private void fillOnward(PathTables paths, int row, int move, int[] path) {
+        int from = paths.junctionOfRow(row);
+        int index = 4 * row + move;
+        junctions[index] = CorridorPositions.NONE;
+        if (graph.neighbour(from, move) != CorridorPositions.NONE) {
+            junctions[index] = paths.junction(paths.leaving(from, move));
+            lengths[index] = paths.rowPath(row, junctions[index], path, 0);
+            for (int i = 0; i < lengths[index]; i++) {
+                nodes[index * words + (path[i] >> 6)] |= 1L << path[i];
+            }
+        }
+    }
+
+    private int movesOn(PathTables paths, int node, int direction) {
         int next = paths.junction(paths.leaving(node, direction));
-        int count = 0;
+        int bits = 0;
         for (int m = 0; m < 4; m++) {
             if (graph.neighbour(next, m) != CorridorPositions.NONE) {
                 long way = paths.leaving(next, m);
-                int second = paths.junction(way);
                 // The way back is excluded because she is on it or at its end.
-                if (second != node && paths.ahead(way, node) < 0) {
-                    beyond[3 * (4 * node + direction) + count++] = second;
+                if (paths.junction(way) != node && paths.ahead(way, node) < 0) {
+                    bits |= 1 << m;
                 }
             }
         }
+        return bits;
     }
 
-    /**
-     * The junction reached by one of the onward moves.
-     *
-     * @param number 0 to 2
-     * @return its node, or {@link CorridorPositions#NONE} if there are fewer
-     */
-    int beyond(int node, int direction, int number) {
-        return beyond[3 * (4 * node + direction) + number];
+    /** Moves, as bits, that lead on from the next junction in a direction. */
+    int moves(int node, int direction) {
+        return moves[4 * node + direction];
+    }
+
+    /** Number of the path by an onward move of a row. */
+    static int path(int row, int move) {
+        return 4 * row + move;
+    }
+
+    /** Junction at the end of an onward path. */
+    int end(int path) {
+        return junctions[path];
+    }
+
+    /** Steps of an onward path. */
+    int length(int path) {
+        return lengths[path];
+    }
+
+    /** Whether a node lies on an onward path, its end included. */
+    boolean passes(int path, int node) {
+        return (nodes[path * words + (node >> 6)] >>> node & 1) != 0;
     }
 }

@@ -32,6 +32,9 @@ final class PathTables {
     /** A last move that is none, for whoever has not moved yet. */
     static final int NEUTRAL = 4;
 
+    /** A path passes every node at most so often: leg, path between junctions, leg. */
+    static final int LONGEST = 3;
+
     private static final int LENGTH_BITS = 11;
     private static final int LENGTH_MASK = (1 << LENGTH_BITS) - 1;
 
@@ -148,10 +151,10 @@ final class PathTables {
         if (!graph.isJunction(from)) {
             corridor = corridors.corridorOf(from);
             start = corridors.positionOf(from);
-            backward = graph.isJunction(first) ? start == 0 : corridors.positionOf(first) < start;
+            backward = leadsBackward(from, direction);
         } else if (!graph.isJunction(first)) {
             corridor = corridors.corridorOf(first);
-            backward = corridors.positionOf(first) > 0;
+            backward = leadsBackward(first, CorridorPositions.onward(graph, first, direction));
             start = backward ? corridors.length(corridor) : -1;
         }
         int move = direction;
@@ -163,6 +166,27 @@ final class PathTables {
             steps++;
         }
         return pack(rowOf[5 * graph.junctionNumber(node) + move], steps, corridor, start, backward);
+    }
+
+    /** Whether a direction leads down in the positions of a node's corridor. */
+    private boolean leadsBackward(int node, int direction) {
+        int corridor = corridors.corridorOf(node);
+        int position = corridors.positionOf(node);
+        if (corridors.length(corridor) == 1) {
+            // Nothing in the corridor says which way positions run: the later direction leads up.
+            return 1 << direction + 1 < openDirections(node);
+        }
+        int next = graph.neighbour(node, direction);
+        return graph.isJunction(next) ? position == 0 : corridors.positionOf(next) < position;
+    }
+
+    /** Open directions of a node, as bits. */
+    private int openDirections(int node) {
+        int bits = 0;
+        for (int d = 0; d < 4; d++) {
+            bits |= isOpen(node, d) ? 1 << d : 0;
+        }
+        return bits;
     }
 
     private long[] waysOn() {
@@ -246,6 +270,16 @@ final class PathTables {
     int rowOf(long way) {
         return row(way);
     }
+
+    int junctionOfRow(int row) {
+        return rowJunction[row];
+    }
+
+    /** Whether two ways go along the same corridor in the same sense. */
+    static boolean isSameCourse(long way, long other) {
+        return ((way ^ other) & (BACKWARD | (long) FIELD_MASK << CORRIDOR_SHIFT)) == 0;
+    }
+
 
     // ---- Lengths ----
 
@@ -355,7 +389,7 @@ final class PathTables {
     }
 
     /** The node so many steps along a way, before its junction. */
-    private int corridorNode(long way, int step) {
+    int corridorNode(long way, int step) {
         return corridors.node(corridor(way), start(way) + step * sign(way));
     }
 
@@ -378,7 +412,13 @@ final class PathTables {
         return inCorridor ? count : rowPath(row(way), target, path, count);
     }
 
-    private int rowPath(int row, int target, int[] path, int count) {
+    /**
+     * Writes the path from a row's junction to a target behind what is already written.
+     *
+     * @param count nodes already written
+     * @return nodes written in all
+     */
+    int rowPath(int row, int target, int[] path, int count) {
         if (target == rowJunction[row]) {
             return count;
         }

@@ -21,11 +21,6 @@ public final class Situation {
     /** Number of ghosts. */
     public static final int GHOSTS = 4;
 
-    private static final int MEETING_DISTANCE = 2;
-
-    /** A path passes every node at most so often: leg, path between junctions, leg. */
-    private static final int LONGEST_PATH = 3;
-
     private Game game;
     private SensorTables tables;
     private PathTables paths;
@@ -45,9 +40,6 @@ public final class Situation {
     private final long[] ghostWay = new long[GHOSTS];
     private final int[] ghostPathLength = new int[GHOSTS];
 
-    /** Shortest distance of each ghost outside the lair from Ms. Pac-Man, turning back allowed. */
-    private final int[] plainDistance = new int[GHOSTS];
-
     private final int[] neighboursPassed = new int[GHOSTS];
     private int highestEdibleTime;
     private int edibleGhosts;
@@ -64,12 +56,7 @@ public final class Situation {
     /** In each row's order of pills the first that may be active: pills do not come back within a level. */
     private int[] firstActiveRank = new int[0];
 
-    // Scratch for the nodes of a path; a node is on the current path if its stamp is the current one.
-    private int[] ownPath = new int[0];
-    private int[] otherPath = new int[0];
-    private int[] stamps = new int[0];
-    private int stamp;
-    private int stampedTarget;
+    private final SafetyTest safety = new SafetyTest(this);
 
     // ---- Taking in the state ----
 
@@ -105,12 +92,6 @@ public final class Situation {
         int rows = paths.rowCount();
         if (firstActiveRank.length < rows) {
             firstActiveRank = new int[rows];
-        }
-        int nodes = maze.graph.nodeCount();
-        if (stamps.length < nodes) {
-            stamps = new int[nodes];
-            ownPath = new int[LONGEST_PATH * nodes];
-            otherPath = new int[LONGEST_PATH * nodes];
         }
         Arrays.fill(firstActiveRank, 0);
     }
@@ -167,7 +148,6 @@ public final class Situation {
                 threats++;
             }
             if (isOutside(ghost)) {
-                plainDistance[ghost] = tables.distances.between(ghostNode[ghost], node);
                 ghostPathLength[ghost] = paths.length(ghostWay[ghost], 0, node);
                 neighboursPassed[ghost] = paths.neighboursPassed(ghostWay[ghost], node);
             }
@@ -180,7 +160,6 @@ public final class Situation {
         way = paths.leaving(node, newDirection);
         boolean corridorAhead = !isOpen((newDirection + 1) & 3) && !isOpen((newDirection + 3) & 3);
         least = corridorAhead ? 0 : 1;
-        stampedTarget = CorridorPositions.NONE;
         ghostsOutside = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             if (isOutside(ghost)) {
@@ -199,6 +178,37 @@ public final class Situation {
             at--;
         }
         ghostOrder[at] = ghost;
+    }
+
+    // ---- For the safety test ----
+
+    SensorTables tables() {
+        return tables;
+    }
+
+    /** How Ms. Pac-Man leaves her node in the direction that is looked at. */
+    long way() {
+        return way;
+    }
+
+    /** 0 if a target on her own node is reached by no step in this direction, 1 if only by a way around. */
+    int least() {
+        return least;
+    }
+
+    /** How a ghost outside the lair goes on. */
+    long ghostWay(int ghost) {
+        return ghostWay[ghost];
+    }
+
+    /** Steps of a ghost's own path to Ms. Pac-Man. */
+    int ghostPathLength(int ghost) {
+        return ghostPathLength[ghost];
+    }
+
+    /** One word of the bits of active pills. */
+    long activePills(int word) {
+        return activePills[word];
     }
 
     // ---- What sensors ask ----
@@ -241,6 +251,11 @@ public final class Situation {
     /** Steps for which a ghost stays edible; 0 if it is not. */
     public int edibleTime(int ghost) {
         return edibleTime[ghost];
+    }
+
+    /** Steps for which a ghost stays in the lair; 0 outside. */
+    public int lairTime(int ghost) {
+        return lairTime[ghost];
     }
 
     public boolean isEdible(int ghost) {
@@ -398,7 +413,7 @@ public final class Situation {
 
     /** Most active pills on a walk of the look-ahead depth in this direction that never turns back. */
     public int mostPillsAhead() {
-        return tables.walks.mostPills(node, direction, activePills);
+        return pillsLeft == 0 ? 0 : tables.walks.mostPills(node, direction, activePills);
     }
 
     /** Most junctions on a walk of the look-ahead depth in this direction that never turns back. */
@@ -411,127 +426,6 @@ public final class Situation {
      * cannot.
      */
     public int safeOptionsAfterJunction() {
-        if (!isSafe(paths.junction(way))) {
-            return 0;
-        }
-        int options = 0;
-        for (int number = 0; number < OnwardJunctions.MOST; number++) {
-            int beyond = tables.onward.beyond(node, direction, number);
-            if (beyond != CorridorPositions.NONE && isSafe(beyond)) {
-                options++;
-            }
-        }
-        return options;
-    }
-
-    // ---- The safety test (spec/mspacman-task.md, section 4.11) ----
-
-    /** Whether Ms. Pac-Man can reach a node in this direction before any ghost stops her. */
-    private boolean isSafe(int proposedTarget) {
-        int target = targetOrLastPill(proposedTarget);
-        int steps = paths.length(way, least, target);
-        for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            boolean stopped;
-            if (lairTime[ghost] > 0) {
-                stopped = lairTime[ghost] < steps
-                        && tables.fromLairExit[target] + lairTime[ghost] - MEETING_DISTANCE <= steps;
-            } else {
-                stopped = edibleTime[ghost] > 0
-                        ? stoppedByEdible(ghost, target, steps)
-                        : stoppedByThreat(ghost, target, steps);
-            }
-            if (stopped) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** Eating the last pill ends the level: if all pills are on the way and no power pill is left, the last pill counts. */
-    private int targetOrLastPill(int target) {
-        if (pillsLeft == 0 || powerPillsLeft > 0 || pillsLeft > paths.length(way, least, target)) {
-            return target;
-        }
-        int last = target;
-        int longest = -1;
-        for (int word = 0; word < activePills.length; word++) {
-            for (long left = activePills[word]; left != 0; left &= left - 1) {
-                int pill = tables.graph.pillNode(64 * word + Long.numberOfTrailingZeros(left));
-                if (!isOnPath(pill, target)) {
-                    return target;
-                }
-                int length = paths.length(way, least, pill);
-                if (length > longest) {
-                    longest = length;
-                    last = pill;
-                }
-            }
-        }
-        return last;
-    }
-
-    private boolean stoppedByThreat(int ghost, int target, int steps) {
-        if (ghostNode[ghost] == target && !isApproaching(ghost)) {
-            return false;
-        }
-        if (mayBeOnPath(ghost, steps) && isOnPath(ghostNode[ghost], target)) {
-            if (runsAhead(ghost, target)) {
-                return false;
-            }
-            if (headsForPacMan(ghost)) {
-                return true;
-            }
-        }
-        return paths.length(ghostWay[ghost], 0, target) - MEETING_DISTANCE <= steps;
-    }
-
-    private boolean stoppedByEdible(int ghost, int target, int steps) {
-        if (mayBeOnPath(ghost, steps) && isOnPath(ghostNode[ghost], target)) {
-            if (runsAhead(ghost, target)) {
-                return false;
-            }
-            int between = plainDistance[ghost] - MEETING_DISTANCE;
-            if (headsForPacMan(ghost) && 2 * (between / 3) >= edibleTime[ghost]) {
-                return true;
-            }
-        }
-        return steps >= edibleTime[ghost]
-                && paths.length(ghostWay[ghost], 0, target) + edibleTime[ghost] - MEETING_DISTANCE <= steps;
-    }
-
-    /** Whether a ghost is so near that it can be on a path of so many steps. */
-    private boolean mayBeOnPath(int ghost, int steps) {
-        return plainDistance[ghost] <= steps;
-    }
-
-    /** Whether a ghost, not on a junction, goes to the target on Ms. Pac-Man's own path; the ghost is on that path. */
-    private boolean runsAhead(int ghost, int target) {
-        if (tables.graph.isJunction(ghostNode[ghost])) {
-            return false;
-        }
-        int length = paths.path(ghostWay[ghost], 0, target, otherPath);
-        for (int i = 0; i < length; i++) {
-            if (!isOnPath(otherPath[i], target)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private boolean headsForPacMan(int ghost) {
-        return ghostPathLength[ghost] == paths.undirectedLength(ghostNode[ghost], node);
-    }
-
-    /** Whether a node is on Ms. Pac-Man's path to a target in this direction. */
-    private boolean isOnPath(int at, int target) {
-        if (stampedTarget != target) {
-            stampedTarget = target;
-            stamp++;
-            int length = paths.path(way, least, target, ownPath);
-            for (int i = 0; i < length; i++) {
-                stamps[ownPath[i]] = stamp;
-            }
-        }
-        return stamps[at] == stamp;
+        return safety.options();
     }
 }
