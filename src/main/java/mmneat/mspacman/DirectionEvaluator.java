@@ -56,7 +56,8 @@ public final class DirectionEvaluator {
                     + senses.suite().size() + " sensors");
         }
         if (network.layout().standardMultitask() && division == null) {
-            throw new IllegalArgumentException("a multitask network needs a division of the task (pacmanMultitaskScheme)");
+            throw new IllegalArgumentException(
+                    "a multitask network needs a division of the task (pacmanMultitaskScheme)");
         }
         if (division != null && network.layout().standardMultitask() && network.modules() < division.modules()) {
             throw new IllegalArgumentException("the division of the task names " + division.modules()

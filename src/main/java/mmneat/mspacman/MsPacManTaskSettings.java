@@ -73,8 +73,7 @@ public record MsPacManTaskSettings(
 
     /** The same with another number of trials. */
     public MsPacManTaskSettings withTrials(int number) {
-        return new MsPacManTaskSettings(
-                version, number, rules, sensors, division, arbitration, ghosts, deterministic);
+        return new MsPacManTaskSettings(version, number, rules, sensors, division, arbitration, ghosts, deterministic);
     }
 
     /** The same for multitask networks. */

@@ -47,9 +47,7 @@ class GoldenEvaluationsTest {
             }
             assertThat(evaluation.objectives()).as(golden.name()).containsExactly(golden.doubles("objectives"));
             assertThat(evaluation.otherScores()).as(golden.name()).containsExactly(golden.doubles("other"));
-            assertThat(evaluation.moduleUsage())
-                    .as(golden.name())
-                    .containsExactly(golden.ints("genotypeModuleUsage"));
+            assertThat(evaluation.moduleUsage()).as(golden.name()).containsExactly(golden.ints("genotypeModuleUsage"));
             assertThat(random.nextLong())
                     .as(golden.name())
                     .isEqualTo(golden.json().get("nextLongAfterwards").asLong());

@@ -33,7 +33,9 @@ public final class ModuleDivisions {
     public static ModuleDivision named(String name) {
         String simple = name.substring(name.lastIndexOf('.') + 1);
         ModuleDivision known = KNOWN.get(
-                simple.endsWith("ModeSelector") ? simple.substring(0, simple.length() - "ModeSelector".length()) : simple);
+                simple.endsWith("ModeSelector")
+                        ? simple.substring(0, simple.length() - "ModeSelector".length())
+                        : simple);
         return known != null ? known : load(name);
     }
 

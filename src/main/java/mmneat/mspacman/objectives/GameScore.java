@@ -58,8 +58,8 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
             new GameScore("ImproperlyEatenPowerPillScore", game -> -(double) game.getImproperlyEatenPowerPills());
 
     /** Properly eaten power pills with all ghosts far away, negative; minus zero if there are none. */
-    public static final GameScore POWER_PILLS_EATEN_WHEN_GHOSTS_FAR = new GameScore(
-            "PowerPillEatenWhenGhostFarScore", game -> -(double) game.getPowerPillsEatenWhenGhostFar());
+    public static final GameScore POWER_PILLS_EATEN_WHEN_GHOSTS_FAR =
+            new GameScore("PowerPillEatenWhenGhostFarScore", game -> -(double) game.getPowerPillsEatenWhenGhostFar());
 
     /** Points made in one level, 0 if it was not reached. The levels of a game must be asked in ascending order. */
     public static GameScore pointsOfLevel(int level) {

@@ -280,7 +280,6 @@ final class PathTables {
         return ((way ^ other) & (BACKWARD | (long) FIELD_MASK << CORRIDOR_SHIFT)) == 0;
     }
 
-
     // ---- Lengths ----
 
     /**
@@ -425,7 +424,8 @@ final class PathTables {
         int last = lastLeg(row, target);
         int end = count;
         if (last == NONE || junction(leaving(target, last)) != rowJunction[row]) {
-            int[] between = junctionPaths[row][graph.junctionNumber(last == NONE ? target : junction(leaving(target, last)))];
+            int[] between =
+                    junctionPaths[row][graph.junctionNumber(last == NONE ? target : junction(leaving(target, last)))];
             System.arraycopy(between, 0, path, count, between.length);
             end += between.length;
         }

@@ -86,8 +86,7 @@ public final class SensorSuite {
         } catch (ClassCastException e) {
             throw new IllegalArgumentException("sensor " + name + ": does not implement " + Sensor.class.getName(), e);
         } catch (NoSuchMethodException e) {
-            throw new IllegalArgumentException(
-                    "sensor " + name + ": needs a public constructor without arguments", e);
+            throw new IllegalArgumentException("sensor " + name + ": needs a public constructor without arguments", e);
         } catch (ReflectiveOperationException e) {
             throw new IllegalArgumentException("sensor " + name + ": cannot be created: " + e.getMessage(), e);
         }
