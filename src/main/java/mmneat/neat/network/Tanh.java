@@ -30,7 +30,7 @@ public final class Tanh {
      *
      * Here all cases are one straight line,
      *
-     *   q = M + (s r - (e + T)),   t = q F + G,   tanh a = D - (q N + P)/(t + 2),
+     *   q = M + (s r - (e + T)),   t = q F + G,   tanh a = D + (q N + P)/(t + 2),
      *
      * with the constants of a case in a row of a table. The cases come out the same to the last bit because adding 0,
      * multiplying by 1 or a power of two (far from overflow and underflow) and changing signs are exact:
@@ -42,7 +42,9 @@ public final class Tanh {
      *   3 <= s k < 20    1 - 2^-k   0      2^k    0        ((1 - 2^-k) - (e - x)) 2^k
      *   20 <= s k <= 56  1          2^-k   2^k    0        ((x - (e + 2^-k)) + 1) 2^k
      *
-     *   a < 1: D = 0, N = F, P = G (so the numerator is t);   a >= 1: D = 1, N = 0, P = 2.
+     *   a < 1: D = 0, N = -F, P = -G (so the numerator is -t);   a >= 1: D = 1, N = 0, P = -2.
+     *
+     * For negative x the signs of D, N and P are turned.
      *
      * Where a >= 19.0625 the quotient is below 2^-54 and the result 1; the reference's own bounds (22, and 56 ln 2 in
      * expm1) are never reached, and tiny arguments come out right without a case of their own.
@@ -61,40 +63,44 @@ public final class Tanh {
     private static final double SATURATION = 19.0625;
 
     /**
-     * The reference compares y with ln(2)/2 by the upper half of its bits alone, and so takes k = 0 in this small interval
-     * too, where rounding would give 1. Its middle and half its width: [0x1.62e42p-2, 0x1.62e43p-2).
+     * The reference compares y with ln(2)/2 by the upper half of its bits alone, and so takes k = 0 in a small interval
+     * where rounding would give 1. The upper half of a = y/2 there.
      */
-    private static final double HALF_LN2 = 0x1.62e428p-2;
+    private static final int UPPER_HALF_OF_BOUND = 0x3fc62e42;
 
-    private static final double HALF_LN2_RADIUS = 0x0.000008p-2;
+    private static final int UPPER_HALF_OF_ONE = 0x3ff00000;
 
     private static final int ROW_BITS = 4;
-    /** Rows: k for a < 1 (k in 0..3), then k + 1 for a >= 1 (k in 3..55); a power of two, to spare range checks. */
+    /** Rows for x >= 0: k for a < 1 (k in 0..3), then k + 1 for a >= 1 (k in 3..55). As many again for x < 0. */
     private static final int ROWS = 64;
 
-    /** Per row: k LN2_HIGH, k LN2_LOW, s, M, T, F, G, N, P, D. */
+    /** Per row: k LN2_HIGH, k LN2_LOW, s, M, T, F, G, N, P, D; N, P and D with the signs that make the result sign(x) tanh a. */
     private static final double[] CASES = cases();
 
     private Tanh() {}
 
     private static double[] cases() {
-        double[] table = new double[ROWS << ROW_BITS];
-        for (int row = 0; row < ROWS; row++) {
-            boolean small = row < 4;
-            int k = small ? row : row - 1;
+        double[] table = new double[2 * ROWS << ROW_BITS];
+        for (int row = 0; row < 2 * ROWS; row++) {
+            double sign = row < ROWS ? 1 : -1;
+            int index = row % ROWS;
+            boolean small = index < 4;
+            int k = small ? index : index - 1;
             double powerOfTwo = Math.scalb(1.0, small ? -k : k);
             double inversePower = 1 / powerOfTwo;
+            // -0 is what leaves every number as it is, -0 included: zeros keep their sign.
+            double g = small && k > 0 ? (k == 1 ? -0.5 : -1) : -0.0;
             double[] constants = {
                 k * LN2_HIGH,
                 k * LN2_LOW,
                 small ? -1 : 1,
-                small ? (k <= 1 ? 0 : 1) : (k < 20 ? 1 - inversePower : 1),
+                small ? (k <= 1 ? -0.0 : 1) : (k < 20 ? 1 - inversePower : 1),
                 small || k < 20 ? 0 : inversePower,
                 powerOfTwo,
-                small ? (k == 0 ? 0 : k == 1 ? -0.5 : -1) : 0,
-                small ? powerOfTwo : 0,
-                small ? (k == 0 ? 0 : k == 1 ? -0.5 : -1) : 2,
-                small ? 0 : 1
+                g,
+                small ? -sign * powerOfTwo : 0,
+                small ? (g == 0 ? -0.0 : -sign * g) : -sign * 2,
+                small ? sign * 0.0 : sign
             };
             System.arraycopy(constants, 0, table, row << ROW_BITS, constants.length);
         }
@@ -109,12 +115,15 @@ public final class Tanh {
         }
         double y = a + a;
         int k = (int) (INVERSE_LN2 * y + 0.5);
-        if (Math.abs(y - HALF_LN2) <= HALF_LN2_RADIUS) {
-            k = y < HALF_LN2 + HALF_LN2_RADIUS ? 0 : 1;
+        int upper = (int) (Double.doubleToRawLongBits(x) >>> 32);
+        int magnitude = upper & Integer.MAX_VALUE;
+        if (magnitude == UPPER_HALF_OF_BOUND) {
+            k = 0;
         }
         // 1 if a >= 1, without a branch.
-        int large = 1 - (int) ((Double.doubleToRawLongBits(a) - 0x3ff0000000000000L) >>> 63);
-        int row = ((k + large) & (ROWS - 1)) << ROW_BITS;
+        int large = 1 - (magnitude - UPPER_HALF_OF_ONE >>> 31);
+        // A sum, not an "or": the compiler then knows that the row is in the table and checks no bounds.
+        int row = ((k + large & ROWS - 1) + (upper >>> 31) * ROWS) << ROW_BITS;
 
         double s = CASES[row + 2];
         double high = y - CASES[row];
@@ -131,7 +140,6 @@ public final class Tanh {
 
         double q = CASES[row + 3] + (r - (e + CASES[row + 4]));
         double t = q * CASES[row + 5] + CASES[row + 6];
-        double quotient = (q * CASES[row + 7] + CASES[row + 8]) / (t + 2);
-        return Math.copySign(CASES[row + 9] - quotient, x);
+        return CASES[row + 9] + (q * CASES[row + 7] + CASES[row + 8]) / (t + 2);
     }
 }
