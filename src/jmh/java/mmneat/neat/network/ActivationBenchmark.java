@@ -29,6 +29,10 @@ public class ActivationBenchmark {
     private static final int NETWORKS = 16;
 
     private static final int ROWS = 256;
+    private static final int DIRECTIONS = 4;
+
+    private static final int CORRIDOR = 0b0101;
+    private static final int JUNCTION = 0b0111;
 
     /** "champion": 25 hidden neurons and 180 links; "young": 6 and 75. */
     @Param({"champion", "young"})
@@ -36,6 +40,7 @@ public class ActivationBenchmark {
 
     private final Genotype[] genotypes = new Genotype[NETWORKS];
     private final NetworkState[] states = new NetworkState[NETWORKS];
+    private final NetworkStates[] directions = new NetworkStates[NETWORKS];
     private final double[][] inputs = new double[ROWS][];
     private final double[][] inputActivations = new double[ROWS][];
     private final ResumableRandom random = new ResumableRandom(1);
@@ -47,12 +52,15 @@ public class ActivationBenchmark {
         SplittableRandom sizes = new SplittableRandom(1);
         for (int i = 0; i < NETWORKS; i++) {
             genotypes[i] = size.equals("champion") ? SampleGenotypes.champion(sizes) : SampleGenotypes.young(sizes);
-            states[i] = Network.compile(genotypes[i]).newState();
+            Network network = Network.compile(genotypes[i]);
+            states[i] = network.newState();
+            directions[i] = network.newStates(DIRECTIONS);
         }
+        int stride = genotypes[0].inputs();
         for (int row = 0; row < ROWS; row++) {
-            inputs[row] = new double[states[0].network().inputs()];
-            inputActivations[row] = new double[inputs[row].length];
-            for (int i = 0; i < inputs[row].length; i++) {
+            inputs[row] = new double[DIRECTIONS * stride];
+            inputActivations[row] = new double[DIRECTIONS * stride];
+            for (int i = 0; i < DIRECTIONS * stride; i++) {
                 inputs[row][i] = sizes.nextInt(3) == 0 ? 0 : sizes.nextDouble();
                 inputActivations[row][i] = Tanh.of(inputs[row][i]);
             }
@@ -73,6 +81,32 @@ public class ActivationBenchmark {
         NetworkState state = nextState();
         state.activate(inputs[step & (ROWS - 1)], random);
         return state.policyOutput(0);
+    }
+
+    /** The two directions of a corridor together. */
+    @Benchmark
+    public double activateCorridor() {
+        return activateTogether(CORRIDOR);
+    }
+
+    /** The three directions of a junction together. */
+    @Benchmark
+    public double activateJunction() {
+        return activateTogether(JUNCTION);
+    }
+
+    private double activateTogether(int which) {
+        step++;
+        NetworkStates together = directions[step >>> 10 & (NETWORKS - 1)];
+        together.activate(
+                which, inputActivations[step & (ROWS - 1)], states[0].network().inputs(), random);
+        double answers = 0;
+        for (int i = 0; i < DIRECTIONS; i++) {
+            if ((which >>> i & 1) != 0) {
+                answers += together.get(i).policyOutput(0);
+            }
+        }
+        return answers;
     }
 
     /** A network keeps its turn for a game's worth of steps. */
