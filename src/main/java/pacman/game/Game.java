@@ -205,27 +205,29 @@ public final class Game {
             GameStep.updateGhosts(state, NO_MOVES, reversal);
             return;
         }
-        if (moves.size() < GHOSTS.length) {
-            for (GHOST ghost : GHOSTS) {
-                if (!moves.containsKey(ghost)) {
-                    moves.put(ghost, MOVE.NEUTRAL);
-                }
+        MOVE blinky = moves.get(GHOST.BLINKY);
+        MOVE pinky = moves.get(GHOST.PINKY);
+        MOVE inky = moves.get(GHOST.INKY);
+        MOVE sue = moves.get(GHOST.SUE);
+        boolean isComplete = moves.size() == GHOSTS.length;
+        int made = GameStep.updateGhosts(
+                state, packed(request(blinky), request(pinky), request(inky), request(sue)), reversal);
+        report(moves, GHOST.BLINKY, blinky, made, isComplete);
+        report(moves, GHOST.PINKY, pinky, made, isComplete);
+        report(moves, GHOST.INKY, inky, made, isComplete);
+        report(moves, GHOST.SUE, sue, made, isComplete);
+    }
+
+    /** Writes the move that a ghost made into the caller's map, or NEUTRAL where the caller said nothing about it. */
+    private static void report(
+            EnumMap<GHOST, MOVE> moves, GHOST ghost, MOVE requested, int allMade, boolean isComplete) {
+        int made = allMade >>> GameStep.MOVE_BITS * ghost.ordinal() & GameStep.MOVE_MASK;
+        if (made != GameStep.NOT_MOVED) {
+            if (MOVES[made] != requested) {
+                moves.put(ghost, MOVES[made]);
             }
-        }
-        int requests = packed(
-                request(moves.get(GHOST.BLINKY)),
-                request(moves.get(GHOST.PINKY)),
-                request(moves.get(GHOST.INKY)),
-                request(moves.get(GHOST.SUE)));
-        int made = GameStep.updateGhosts(state, requests, reversal);
-        if (made == requests) {
-            return;
-        }
-        for (int ghost = 0; ghost < GHOSTS.length; ghost++) {
-            int move = made >>> GameStep.MOVE_BITS * ghost & GameStep.MOVE_MASK;
-            if (move != GameStep.NOT_MOVED) {
-                moves.put(GHOSTS[ghost], MOVES[move]);
-            }
+        } else if (requested == null && !isComplete && !moves.containsKey(ghost)) {
+            moves.put(ghost, MOVE.NEUTRAL);
         }
     }
 

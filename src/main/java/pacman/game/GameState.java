@@ -95,6 +95,13 @@ final class GameState {
 
     /** Nodes, edible times, lair times and last moves of the ghosts. */
     final int[] ghosts;
+
+    /**
+     * A lower bound of the path distance from Ms. Pac-Man to the nearest ghost outside the lair. Each move takes at most one
+     * off, so that most steps need not look at distances to know that nobody meets.
+     */
+    int apart;
+
     /** Bit set of the pills present, by pill number. */
     long[] pills;
 
@@ -156,6 +163,7 @@ final class GameState {
         lives = other.lives;
         extraLifeReceived = other.extraLifeReceived;
         ghosts = other.ghosts.clone();
+        apart = other.apart;
         pills = other.pills.clone();
         pillsLeft = other.pillsLeft;
         powerPills = other.powerPills;
@@ -340,6 +348,7 @@ final class GameState {
     /** Everybody to the start, as at the beginning of a level and after a death. */
     void resetPositions() {
         ghostMultiplier = 1;
+        apart = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             ghosts[NODE + ghost] = graph.lair();
             ghosts[EDIBLE + ghost] = 0;
@@ -357,7 +366,7 @@ final class GameState {
      * @return whether everybody was put back to the start; not after the last level
      */
     boolean newLevel() {
-        if (history != null && edibleGhosts() > 0) {
+        if (history != null && isAnyEdible()) {
             history.timesToEatAll.add(GameHistory.NEVER);
         }
         if (rules.creditForRemainingPills()) {
@@ -396,6 +405,14 @@ final class GameState {
 
     int newEdibleTime() {
         return scaledTime(rules.edibleTime());
+    }
+
+    boolean isAnyEdible() {
+        return (ghosts[EDIBLE] | ghosts[EDIBLE + 1] | ghosts[EDIBLE + 2] | ghosts[EDIBLE + 3]) != 0;
+    }
+
+    boolean isAnyInLair() {
+        return (ghosts[LAIR] | ghosts[LAIR + 1] | ghosts[LAIR + 2] | ghosts[LAIR + 3]) != 0;
     }
 
     int edibleGhosts() {

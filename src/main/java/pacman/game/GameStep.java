@@ -42,23 +42,16 @@ final class GameStep {
 
     /** Steps 1 to 4: Ms. Pac-Man moves and eats what lies there. */
     static void updatePacMan(GameState state, int request) {
-        MazeGraph graph = state.graph;
-        int move = NO_MOVE;
-        int next = -1;
-        if (request < NO_MOVE) {
-            next = graph.neighbour(state.pacManNode, request);
-            move = request;
-        }
-        if (next < 0 && state.pacManMove < NO_MOVE) {
-            next = graph.neighbour(state.pacManNode, state.pacManMove);
-            move = state.pacManMove;
-        }
-        if (next < 0) {
-            state.pacManMove = NO_MOVE;
-        } else {
-            state.pacManMove = move;
-            state.pacManNode = next;
-        }
+        state.apart--;
+        int node = state.pacManNode;
+        int last = state.pacManMove;
+        int asked = state.graph.neighbour(node, request);
+        int straight = state.graph.neighbour(node, last);
+        // Simple choices instead of branches: what she is asked for is often hard to predict.
+        int move = straight >= 0 ? last : NO_MOVE;
+        int next = straight >= 0 ? straight : node;
+        state.pacManMove = asked >= 0 ? request : move;
+        state.pacManNode = asked >= 0 ? asked : next;
         eatPill(state);
         eatPowerPill(state);
         if (!state.pillEaten && !state.powerPillEaten) {
@@ -132,7 +125,7 @@ final class GameStep {
         if (state.history == null) {
             return;
         }
-        if (threats == 0 || state.edibleGhosts() > 0) {
+        if (threats == 0 || state.isAnyEdible()) {
             state.history.timesToEatAll.add(GameHistory.NEVER);
         }
         state.history.ghostsPerPowerPill.add(0);
@@ -145,6 +138,7 @@ final class GameStep {
      * @return moves made in step 7, packed likewise, {@value #NOT_MOVED} for a ghost that made none
      */
     static int updateGhosts(GameState state, int requests, Reversal reversal) {
+        state.apart--;
         switch (reversal) {
             case NEVER:
                 return moveGhosts(state, requests);
@@ -194,62 +188,70 @@ final class GameStep {
         MazeGraph graph = state.graph;
         int node = state.ghosts[NODE + ghost];
         int last = state.ghosts[MOVE + ghost];
-        int back = last == NO_MOVE ? -1 : last ^ 2;
-        int move = request;
-        int next = -1;
-        if (request < NO_MOVE && request != back) {
-            next = graph.neighbour(node, request);
-        }
-        if (next < 0 && last != NO_MOVE) {
+        int back = last == NO_MOVE ? NO_MOVE : last ^ 2;
+        int move = request == back ? NO_MOVE : request;
+        int next = graph.neighbour(node, move);
+        if (next < 0) {
             move = last;
             next = graph.neighbour(node, last);
-        }
-        if (next < 0) {
-            move = drawMove(state, node, back);
-            next = graph.neighbour(node, move);
+            if (next < 0) {
+                move = drawMove(state, graph.openDirections(node) & ~(1 << back));
+                next = graph.neighbour(node, move);
+            }
         }
         state.ghosts[MOVE + ghost] = move;
         state.ghosts[NODE + ghost] = next;
         return move;
     }
 
-    /** A random direction other than back. The draw is made even if there is only one. */
-    private static int drawMove(GameState state, int node, int back) {
-        MazeGraph graph = state.graph;
-        int ways = graph.degree(node) - (back >= 0 && graph.neighbour(node, back) >= 0 ? 1 : 0);
-        int draw = state.random.nextInt(ways);
-        for (int direction = 0; direction < 4; direction++) {
-            if (direction != back && graph.neighbour(node, direction) >= 0 && draw-- == 0) {
-                return direction;
-            }
+    /** One of several directions at random. The draw is made even if there is only one. */
+    private static int drawMove(GameState state, int directions) {
+        int left = directions;
+        for (int draw = state.random.nextInt(Integer.bitCount(directions)); draw > 0; draw--) {
+            left &= left - 1;
         }
-        throw new IllegalStateException("node " + node + " has no way on");
+        return Integer.numberOfTrailingZeros(left);
     }
 
     /** Step 8: who meets whom, and edible times run. */
     static void feast(GameState state) {
         state.pacManEaten = false;
         state.ghostsEaten = 0;
+        if (state.apart <= Constants.EAT_DISTANCE && !meetGhosts(state)) {
+            return;
+        }
+        if (state.isAnyEdible()) {
+            runEdibleTimes(state);
+        }
+    }
+
+    /** Returns whether she survives. */
+    private static boolean meetGhosts(GameState state) {
+        int nearest = Integer.MAX_VALUE;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            if (!meets(state, ghost)) {
+            int distance = distanceToGhost(state, ghost);
+            if (distance < 0) {
                 continue;
             }
-            if (state.ghosts[EDIBLE + ghost] == 0) {
+            if (distance > Constants.EAT_DISTANCE) {
+                nearest = Math.min(nearest, distance);
+            } else if (state.ghosts[EDIBLE + ghost] == 0) {
                 eatPacMan(state);
-                return;
+                return false;
+            } else {
+                eatGhost(state, ghost);
             }
-            eatGhost(state, ghost);
         }
+        state.apart = nearest;
+        return true;
+    }
+
+    private static void runEdibleTimes(GameState state) {
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             if (state.ghosts[EDIBLE + ghost] > 0 && --state.ghosts[EDIBLE + ghost] == 0) {
                 endEdibleTime(state, ghost);
             }
         }
-    }
-
-    private static boolean meets(GameState state, int ghost) {
-        int distance = distanceToGhost(state, ghost);
-        return distance >= 0 && distance <= Constants.EAT_DISTANCE;
     }
 
     private static int distanceToGhost(GameState state, int ghost) {
@@ -273,9 +275,7 @@ final class GameStep {
             state.history.ghostEatTimes.add(state.totalTime);
             if (!state.has(GameState.EXIT_LAIR_EDIBLE)) {
                 state.history.ghostEaten(
-                        state.rules.activeGhosts(),
-                        state.edibleGhosts() == 0,
-                        state.totalTime - state.timeOfLastPowerPill);
+                        state.rules.activeGhosts(), !state.isAnyEdible(), state.totalTime - state.timeOfLastPowerPill);
             }
         }
     }
@@ -302,13 +302,16 @@ final class GameStep {
         if ((state.shared != null || rate > 0) && state.drawsOfTheRun().nextDouble() < rate) {
             state.gameOver = true;
         }
-        if (state.history != null && state.edibleGhosts() == 0) {
+        if (state.history != null && !state.isAnyEdible()) {
             state.history.timesToEatAll.add(GameHistory.NEVER);
         }
     }
 
     /** Step 9: ghosts leave the lair. */
     static void updateLairTimes(GameState state) {
+        if (!state.isAnyInLair()) {
+            return;
+        }
         int[] ghosts = state.ghosts;
         boolean exit = false;
         for (int ghost = 0; ghost < state.rules.activeGhosts(); ghost++) {
@@ -321,7 +324,7 @@ final class GameStep {
             if (!due) {
                 continue;
             }
-            if (state.rules.imprisonedWhileEdible() && state.edibleGhosts() > 0) {
+            if (state.rules.imprisonedWhileEdible() && state.isAnyEdible()) {
                 ghosts[LAIR + ghost] += state.scaledTime(state.rules.lairTime());
             } else {
                 exit = true;
@@ -356,6 +359,7 @@ final class GameStep {
             return state.newLevel() ? old : ghosts;
         }
         ghosts[NODE + ghost] = exitNode(state, ghost);
+        state.apart = 0;
         if (state.has(GameState.EXIT_LAIR_EDIBLE)) {
             ghosts[EDIBLE + ghost] = state.newEdibleTime();
         }
@@ -409,6 +413,6 @@ final class GameStep {
         if (state.pillsLeft > 0 && !chances) {
             return false;
         }
-        return !(chances || state.has(GameState.WITHOUT_PILLS)) || state.edibleGhosts() == 0;
+        return !(chances || state.has(GameState.WITHOUT_PILLS)) || !state.isAnyEdible();
     }
 }

@@ -134,6 +134,7 @@ final class StateText {
             state.ghosts[LAIR + ghost] = nextInt();
             state.ghosts[GameState.MOVE + ghost] = nextMove();
         }
+        state.apart = 0;
         readPills(state, fields[next++], fields[next++]);
         state.timeOfLastReversal = nextInt();
         state.pacManEaten = nextBoolean();

@@ -18,10 +18,11 @@ public class AStar {
 
     /** Takes over a graph, in which node i must be at index i. */
     public void createGraph(Node[] nodes) {
-        short[] table = new short[4 * nodes.length];
+        short[] table = new short[MazeGraph.MOVES * nodes.length];
         Arrays.fill(table, (short) -1);
         for (Node node : nodes) {
-            node.neighbourhood.forEach((move, to) -> table[4 * node.nodeIndex + move.ordinal()] = to.shortValue());
+            node.neighbourhood.forEach(
+                    (move, to) -> table[MazeGraph.MOVES * node.nodeIndex + move.ordinal()] = to.shortValue());
         }
         neighbours = table;
     }

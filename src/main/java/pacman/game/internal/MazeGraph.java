@@ -14,13 +14,18 @@ import pacman.game.Constants.MOVE;
  */
 public final class MazeGraph {
 
+    /** Columns of the neighbour table: four directions and no move, so that looking up a move needs no test. */
+    static final int MOVES = 5;
+
     private static final int[] STEP_X = {0, 1, 0, -1};
     private static final int[] STEP_Y = {-1, 0, 1, 0};
 
     private final String name;
     private final int nodeCount;
-    /** Node reached from a node by a direction, -1 if none; index 4 node + direction. */
+    /** Node reached from a node by a move, -1 if none; index {@value #MOVES} node + move. Move 4, none, leads nowhere. */
     private final short[] neighbours;
+    /** Bit set of the open directions of a node. */
+    private final byte[] openDirections;
     /** Number of neighbours per node: 0 in the lair, else 2 to 4. */
     private final byte[] degree;
 
@@ -58,7 +63,8 @@ public final class MazeGraph {
         nodeCount = count + 1;
         x = new short[nodeCount];
         y = new short[nodeCount];
-        neighbours = new short[4 * nodeCount];
+        neighbours = new short[MOVES * nodeCount];
+        openDirections = new byte[nodeCount];
         degree = new byte[nodeCount];
         Arrays.fill(neighbours, (short) -1);
         link(nodeAt);
@@ -101,8 +107,11 @@ public final class MazeGraph {
                     int toRow = row + STEP_Y[direction];
                     int toColumn = Math.floorMod(column + STEP_X[direction], MazeDrawing.WIDTH);
                     int to = toRow < 0 || toRow >= MazeDrawing.HEIGHT ? -1 : nodeAt[toRow][toColumn];
-                    neighbours[4 * node + direction] = (short) to;
-                    degree[node] += (byte) (to < 0 ? 0 : 1);
+                    neighbours[MOVES * node + direction] = (short) to;
+                    if (to >= 0) {
+                        degree[node]++;
+                        openDirections[node] |= (byte) (1 << direction);
+                    }
                 }
             }
         }
@@ -162,7 +171,7 @@ public final class MazeGraph {
         reached[start] = true;
         for (int head = 0; head < size; head++) {
             for (int direction = 0; direction < 4; direction++) {
-                int next = neighbours[4 * queue[head] + direction];
+                int next = neighbours[MOVES * queue[head] + direction];
                 if (next >= 0 && !reached[next]) {
                     reached[next] = true;
                     queue[size++] = next;
@@ -204,7 +213,7 @@ public final class MazeGraph {
     int onlyWayOn(int node, int arrival) {
         int back = arrival ^ 2;
         for (int direction = 0; direction < 4; direction++) {
-            if (direction != back && neighbours[4 * node + direction] >= 0) {
+            if (direction != back && neighbours[MOVES * node + direction] >= 0) {
                 return direction;
             }
         }
@@ -236,9 +245,14 @@ public final class MazeGraph {
         return ghostStart;
     }
 
-    /** The node next to {@code node} in a direction 0 to 3, -1 if there is none. */
-    public int neighbour(int node, int direction) {
-        return neighbours[4 * node + direction];
+    /** The node next to {@code node} in a direction 0 to 3, -1 if there is none; -1 for 4, no move. */
+    public int neighbour(int node, int move) {
+        return neighbours[MOVES * node + move];
+    }
+
+    /** Bit set of the directions in which a node has a neighbour. */
+    public int openDirections(int node) {
+        return openDirections[node];
     }
 
     /** Number of neighbours: 0 in the lair, else 2 to 4. */
@@ -312,7 +326,7 @@ public final class MazeGraph {
         return pillsNearPowerPills[word];
     }
 
-    /** The table of neighbours, index 4 node + direction; not to be modified. */
+    /** The table of neighbours, index {@value #MOVES} node + move; not to be modified. */
     short[] neighbours() {
         return neighbours;
     }

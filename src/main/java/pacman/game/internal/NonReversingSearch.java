@@ -23,7 +23,7 @@ final class NonReversingSearch {
     private static final byte OPEN = 1;
     private static final byte CLOSED = 2;
 
-    /** Node reached from a node by a direction, -1 if none; index 4 node + direction. */
+    /** Node reached from a node by a move, -1 if none, as {@link MazeGraph} keeps it. */
     private final short[] neighbours;
 
     private final byte[] status;
@@ -42,7 +42,7 @@ final class NonReversingSearch {
 
     NonReversingSearch(short[] neighbours) {
         this.neighbours = neighbours;
-        int nodes = neighbours.length / 4;
+        int nodes = neighbours.length / MazeGraph.MOVES;
         status = new byte[nodes];
         travelled = new int[nodes];
         total = new int[nodes];
@@ -79,7 +79,7 @@ final class NonReversingSearch {
         int cost = travelled[node] + 1;
         int back = arrival[node] < 4 ? arrival[node] ^ 2 : -1;
         for (int direction = 0; direction < 4; direction++) {
-            int next = neighbours[4 * node + direction];
+            int next = neighbours[MazeGraph.MOVES * node + direction];
             if (next < 0 || direction == back) {
                 continue;
             }
