@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         versionProvider = Main.Version.class,
         description = "Modular Multiobjective NEAT for Ms. Pac-Man.",
-        subcommands = {CompareCommand.class, PlayCommand.class, ReplayCommand.class})
+        subcommands = {CompareCommand.class, NetworkCommand.class, PlayCommand.class, ReplayCommand.class})
 public final class Main implements Runnable {
 
     @Spec

@@ -1,0 +1,102 @@
+package mmneat.neat.io;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import mmneat.neat.Genotype;
+import mmneat.neat.LinkGene;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.NodeGene;
+import mmneat.neat.NodeType;
+
+/**
+ * What a drawing or a graph file shows of a genotype: its neurons and its active links.
+ *
+ * @param title one line that says which network it is
+ * @param neurons neurons in activation order
+ * @param links active links in the genotype's order
+ */
+record NetworkGraph(String title, List<Neuron> neurons, List<Link> links) {
+
+    /** What a neuron is for. */
+    enum Role {
+        INPUT,
+        HIDDEN,
+        POLICY,
+        PREFERENCE
+    }
+
+    /**
+     * A neuron.
+     *
+     * @param innovation its historical marking
+     * @param role what it is for
+     * @param module the output's module; -1 for other neurons
+     * @param label an input's name, or what kind of neuron it is
+     */
+    record Neuron(long innovation, Role role, int module, String label) {}
+
+    /**
+     * A link.
+     *
+     * @param source position of the neuron that it comes from
+     * @param target position of the neuron that it leads to
+     * @param weight its weight
+     */
+    record Link(int source, int target, double weight) {
+        /** Whether the link acts one step later. */
+        boolean isRecurrent() {
+            return target <= source;
+        }
+    }
+
+    /**
+     * The graph of a genotype.
+     *
+     * @param inputLabels names of the inputs; none: they are numbered
+     */
+    static NetworkGraph of(Genotype genotype, List<String> inputLabels) {
+        if (!inputLabels.isEmpty() && inputLabels.size() != genotype.inputs()) {
+            throw new IllegalArgumentException(inputLabels.size() + " labels for " + genotype.inputs() + " inputs");
+        }
+        List<Neuron> neurons = new ArrayList<>();
+        Map<Long, Integer> positions = new HashMap<>();
+        for (int i = 0; i < genotype.nodes().size(); i++) {
+            neurons.add(neuron(genotype, i, inputLabels));
+            positions.put(genotype.nodes().get(i).innovation(), i);
+        }
+        List<Link> links = new ArrayList<>();
+        for (LinkGene gene : genotype.links()) {
+            if (gene.active()) {
+                links.add(new Link(positions.get(gene.source()), positions.get(gene.target()), gene.weight()));
+            }
+        }
+        String title = "Network " + genotype.id() + ": " + genotype.inputs() + " inputs, " + genotype.hidden()
+                + " hidden, " + genotype.modules() + (genotype.modules() == 1 ? " module, " : " modules, ")
+                + links.size() + " links";
+        return new NetworkGraph(title, neurons, links);
+    }
+
+    /** Width at which a link is drawn: grows with the size of the weight, quickly at first; at most 4.5. */
+    static double widthOf(double weight) {
+        return 0.5 + 4 * (1 - Math.exp(-Math.abs(weight) / 2));
+    }
+
+    private static Neuron neuron(Genotype genotype, int position, List<String> inputLabels) {
+        NodeGene gene = genotype.nodes().get(position);
+        if (gene.type() == NodeType.INPUT) {
+            String label = inputLabels.isEmpty() ? "input " + position : inputLabels.get(position);
+            return new Neuron(gene.innovation(), Role.INPUT, -1, label);
+        }
+        if (gene.type() == NodeType.HIDDEN) {
+            return new Neuron(gene.innovation(), Role.HIDDEN, -1, "hidden " + gene.innovation());
+        }
+        ModuleLayout layout = genotype.layout();
+        int output = position - genotype.firstOutput();
+        int module = layout.moduleOf(output);
+        return layout.isPreference(output)
+                ? new Neuron(gene.innovation(), Role.PREFERENCE, module, "preference of module " + module)
+                : new Neuron(gene.innovation(), Role.POLICY, module, "policy of module " + module);
+    }
+}

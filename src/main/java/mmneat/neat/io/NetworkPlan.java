@@ -1,0 +1,175 @@
+package mmneat.neat.io;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * Where the neurons of a drawing stand: inputs in a row below, hidden neurons in rows by how many links lie between them and the
+ * inputs, outputs above in a box for each module. Coordinates in pixels, y downward.
+ */
+final class NetworkPlan {
+
+    static final double MARGIN = 24;
+    private static final double TOP = 64;
+    private static final double ROW = 105;
+    private static final double INPUT_SPACING = 24;
+    private static final double OUTPUT_SPACING = 34;
+    private static final double BOX_GAP = 34;
+    private static final double BOX_PADDING = 18;
+    private static final double LEGEND_WIDTH = 470;
+    /** Of a letter of an input's label. */
+    private static final double LETTER = 6.4;
+
+    private final NetworkGraph graph;
+    private final double[] x;
+    private final double[] y;
+    private final List<Box> modules = new ArrayList<>();
+    private double width;
+    private double height;
+
+    /** The frame of a module's outputs. */
+    record Box(int module, double left, double top, double width, double height) {}
+
+    private NetworkPlan(NetworkGraph graph) {
+        this.graph = graph;
+        this.x = new double[graph.neurons().size()];
+        this.y = new double[graph.neurons().size()];
+    }
+
+    static NetworkPlan of(NetworkGraph graph) {
+        NetworkPlan plan = new NetworkPlan(graph);
+        List<Integer> inputs = plan.positions(NetworkGraph.Role.INPUT);
+        List<List<Integer>> layers = plan.hiddenLayers();
+        double inputsY = TOP + ROW * (layers.size() + 1.5);
+        plan.width = plan.widthFor(inputs.size(), layers);
+        plan.placeRow(inputs, inputsY);
+        plan.placeOutputs();
+        for (int layer = 0; layer < layers.size(); layer++) {
+            plan.placeHidden(layers.get(layer), inputsY - ROW * (layer + 1));
+        }
+        int longestLabel = inputs.stream()
+                .mapToInt(i -> graph.neurons().get(i).label().length())
+                .max()
+                .orElse(0);
+        plan.height = inputsY + 24 + LETTER * longestLabel + 2 * MARGIN;
+        return plan;
+    }
+
+    double x(int neuron) {
+        return x[neuron];
+    }
+
+    double y(int neuron) {
+        return y[neuron];
+    }
+
+    double width() {
+        return width;
+    }
+
+    double height() {
+        return height;
+    }
+
+    List<Box> modules() {
+        return modules;
+    }
+
+    private List<Integer> positions(NetworkGraph.Role role) {
+        List<Integer> positions = new ArrayList<>();
+        for (int i = 0; i < graph.neurons().size(); i++) {
+            if (graph.neurons().get(i).role() == role) {
+                positions.add(i);
+            }
+        }
+        return positions;
+    }
+
+    private boolean isOutput(int neuron) {
+        return graph.neurons().get(neuron).module() >= 0;
+    }
+
+    /** Hidden neurons by the longest way from an input over forward links; activation order makes one pass per link enough. */
+    private List<List<Integer>> hiddenLayers() {
+        int[] depth = new int[graph.neurons().size()];
+        List<NetworkGraph.Link> forward = graph.links().stream()
+                .filter(link -> !link.isRecurrent())
+                .sorted(Comparator.comparingInt(NetworkGraph.Link::source))
+                .toList();
+        for (NetworkGraph.Link link : forward) {
+            depth[link.target()] = Math.max(depth[link.target()], depth[link.source()] + 1);
+        }
+        List<List<Integer>> layers = new ArrayList<>();
+        for (int neuron : positions(NetworkGraph.Role.HIDDEN)) {
+            int layer = Math.max(0, depth[neuron] - 1);
+            while (layers.size() <= layer) {
+                layers.add(new ArrayList<>());
+            }
+            layers.get(layer).add(neuron);
+        }
+        layers.removeIf(List::isEmpty);
+        return layers;
+    }
+
+    private double widthFor(int inputs, List<List<Integer>> layers) {
+        int widestLayer = layers.stream().mapToInt(List::size).max().orElse(0);
+        return Math.max(
+                2 * MARGIN + Math.max(INPUT_SPACING * inputs, OUTPUT_SPACING * widestLayer),
+                Math.max(2 * MARGIN + outputsWidth(), LEGEND_WIDTH + 2 * MARGIN));
+    }
+
+    private double outputsWidth() {
+        long outputs = graph.neurons().stream().filter(n -> n.module() >= 0).count();
+        int modules = graph.neurons().get(graph.neurons().size() - 1).module() + 1;
+        return (outputs - modules) * OUTPUT_SPACING + modules * 2 * BOX_PADDING + (modules - 1) * BOX_GAP;
+    }
+
+    private void placeRow(List<Integer> row, double rowY) {
+        for (int i = 0; i < row.size(); i++) {
+            x[row.get(i)] = MARGIN + (width - 2 * MARGIN) * (i + 0.5) / row.size();
+            y[row.get(i)] = rowY;
+        }
+    }
+
+    private void placeOutputs() {
+        double left = (width - outputsWidth()) / 2;
+        int neuron = 0;
+        while (neuron < x.length && !isOutput(neuron)) {
+            neuron++;
+        }
+        while (neuron < x.length) {
+            int module = graph.neurons().get(neuron).module();
+            double right = left + BOX_PADDING;
+            while (neuron < x.length && graph.neurons().get(neuron).module() == module) {
+                x[neuron] = right;
+                y[neuron] = TOP + 24;
+                right += OUTPUT_SPACING;
+                neuron++;
+            }
+            double boxWidth = right - OUTPUT_SPACING + BOX_PADDING - left;
+            modules.add(new Box(module, left, TOP, boxWidth, 42));
+            left += boxWidth + BOX_GAP;
+        }
+    }
+
+    /** Evenly spread, in the order of the places of the neurons that they are linked to. */
+    private void placeHidden(List<Integer> layer, double rowY) {
+        List<Integer> ordered = new ArrayList<>(layer);
+        ordered.sort(Comparator.comparingDouble(this::meanPlaceOfNeighbours));
+        placeRow(ordered, rowY);
+        // Slightly staggered, so that links along a row can be told apart.
+        for (int i = 0; i < ordered.size(); i++) {
+            y[ordered.get(i)] += i % 2 == 0 ? -9 : 9;
+        }
+    }
+
+    private double meanPlaceOfNeighbours(int neuron) {
+        return graph.links().stream()
+                .filter(link -> (link.source() == neuron) != (link.target() == neuron))
+                .mapToDouble(link -> x[link.source() == neuron ? link.target() : link.source()])
+                .filter(place -> place > 0)
+                .average()
+                .orElse(width / 2);
+    }
+}

@@ -1,0 +1,102 @@
+package mmneat.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import mmneat.neat.Genotype;
+import mmneat.neat.InitialNetworks;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.io.GenotypeFiles;
+import mmneat.neat.io.GenotypeJson;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+class NetworkCommandTest {
+
+    private static final Genotype NETWORK =
+            new InitialNetworks(3, ModuleLayout.withPreferenceNeurons(2, 1)).create(7, new ResumableRandom(5));
+
+    private final StringWriter output = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+
+    @BeforeEach
+    void writeNetwork() throws IOException {
+        file = Files.writeString(folder.resolve("champion.json"), GenotypeJson.write(NETWORK));
+    }
+
+    private int run(String... arguments) {
+        CommandLine line = Main.commandLine();
+        line.setOut(new PrintWriter(output));
+        line.setErr(new PrintWriter(errors));
+        return line.execute(arguments);
+    }
+
+    @Test
+    void network_isDrawnAsSvg_ifNothingElseIsSaid() {
+        assertThat(run("network", file.toString())).isZero();
+        assertThat(output.toString()).startsWith("<svg").contains("Network 7: 3 inputs");
+    }
+
+    @Test
+    void format_isTakenFromTheEndingOfTheFile() throws IOException {
+        Path xml = folder.resolve("champion.xml");
+
+        assertThat(run("network", file.toString(), "out=" + xml)).isZero();
+
+        assertThat(GenotypeFiles.read(xml)).isEqualTo(NETWORK);
+        assertThat(output.toString()).isEmpty();
+    }
+
+    @Test
+    void format_canBeNamed() {
+        assertThat(run("network", file.toString(), "format=dot")).isZero();
+        assertThat(output.toString()).startsWith("digraph");
+        assertThat(run("network", file.toString(), "format=graphml")).isZero();
+        assertThat(output.toString()).contains("<graphml");
+    }
+
+    @Test
+    void unknownFormat_isAMistake() {
+        assertThat(run("network", file.toString(), "format=pdf")).isEqualTo(2);
+        assertThat(errors.toString()).startsWith("mmneat: format=pdf: must be one of svg, dot, graphml, json, xml");
+    }
+
+    @Test
+    void missingFile_isAMistake() {
+        assertThat(run("network", folder.resolve("none.json").toString())).isEqualTo(2);
+        assertThat(errors.toString()).contains("none.json: no such file");
+    }
+
+    @Test
+    void folder_isAMistake() {
+        assertThat(run("network", folder.toString())).isEqualTo(2);
+        assertThat(errors.toString()).contains("cannot be read, it is a folder");
+    }
+
+    @Test
+    void missingName_isAMistake() {
+        assertThat(run("network")).isEqualTo(2);
+        assertThat(errors.toString()).contains("no network named");
+    }
+
+    @Test
+    void damagedFile_isAMistake_inOneLine() throws IOException {
+        Files.writeString(file, GenotypeJson.write(NETWORK).replace("\"modules\" : 2", "\"modules\" : \"two\""));
+
+        assertThat(run("network", file.toString())).isEqualTo(2);
+        assertThat(errors.toString().lines()).hasSize(1);
+        assertThat(errors.toString()).contains("champion.json: modules: ");
+    }
+}
