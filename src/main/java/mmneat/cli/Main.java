@@ -1,7 +1,9 @@
 package mmneat.cli;
 
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Callable;
 import mmneat.experiment.UserError;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -11,6 +13,7 @@ import picocli.CommandLine.IHelpSectionRenderer;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /**
@@ -25,83 +28,4 @@ import picocli.CommandLine.Spec;
         description = "Modular Multiobjective NEAT for Ms. Pac-Man.",
         subcommands = {CompareCommand.class, NetworkCommand.class, PlayCommand.class, ReplayCommand.class})
 public final class Main implements Runnable {
-
-    @Spec
-    private CommandSpec command;
-
-    public static void main(String[] arguments) {
-        System.exit(commandLine().execute(arguments));
-    }
-
-    /** The whole command line; tests set its output and error writers. */
-    static CommandLine commandLine() {
-        CommandLine main = new CommandLine(new Main());
-        main.setExecutionExceptionHandler((failure, line, parsed) -> report(failure, line));
-        main.setParameterExceptionHandler((mistake, arguments) -> report(mistake));
-        listWords(main);
-        main.getSubcommands().values().forEach(Main::listWords);
-        return main;
-    }
-
-    /** Without a command: says what there is. */
-    @Override
-    public void run() {
-        command.commandLine().usage(command.commandLine().getOut());
-    }
-
-    private static int report(Exception failure, CommandLine line) {
-        PrintWriter errors = line.getErr();
-        if (failure instanceof UserError) {
-            errors.println("mmneat: " + failure.getMessage());
-            errors.flush();
-            return ExitCode.USAGE;
-        }
-        failure.printStackTrace(errors);
-        errors.flush();
-        return ExitCode.SOFTWARE;
-    }
-
-    private static int report(ParameterException mistake) {
-        CommandLine line = mistake.getCommandLine();
-        line.getErr()
-                .println("mmneat: " + mistake.getMessage() + "; see "
-                        + line.getCommandSpec().qualifiedName() + " --help");
-        line.getErr().flush();
-        return ExitCode.USAGE;
-    }
-
-    /** Puts the name=value words of a command into its help, above the options. */
-    private static void listWords(CommandLine line) {
-        if (line.getCommand() instanceof WordCommand command) {
-            IHelpSectionRenderer words = help -> table(help, command.knownWords());
-            line.getHelpSectionMap().merge(UsageMessageSpec.SECTION_KEY_PARAMETER_LIST, words, Main::both);
-        }
-    }
-
-    private static IHelpSectionRenderer both(IHelpSectionRenderer first, IHelpSectionRenderer second) {
-        return help -> first.render(help) + second.render(help);
-    }
-
-    private static String table(Help help, List<Word> words) {
-        int left = words.stream()
-                        .mapToInt(word -> word.name().length() + word.value().length())
-                        .max()
-                        .orElse(0)
-                + 5;
-        Help.TextTable table = Help.TextTable.forColumns(
-                help.colorScheme(),
-                new Help.Column(left, 2, Help.Column.Overflow.SPAN),
-                new Help.Column(Math.max(40, 100 - left), 2, Help.Column.Overflow.WRAP));
-        words.forEach(word -> table.addRowValues(word.name() + "=" + word.value(), word.meaning()));
-        return table.toString();
-    }
-
-    /** The version that the build wrote into the jar. */
-    static final class Version implements CommandLine.IVersionProvider {
-        @Override
-        public String[] getVersion() {
-            String version = Main.class.getPackage().getImplementationVersion();
-            return new String[] {"MM-NEAT " + (version == null ? "(not packaged)" : version)};
-        }
-    }
-}
+public final class Main implements Callable<Integer> {

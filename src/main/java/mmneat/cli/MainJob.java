@@ -1,0 +1,106 @@
+package mmneat.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.Callable;
+import mmneat.experiment.Experiment;
+import mmneat.experiment.ExperimentPlan;
+import mmneat.experiment.ParameterCatalogue;
+import mmneat.experiment.ParameterReader;
+import mmneat.experiment.RunMonitor;
+import mmneat.experiment.RunOutcome;
+import picocli.CommandLine.ExitCode;
+
+/**
+ * The main job: evolves what the words ask for, shows how it goes, and tells what came out.
+ *
+ * <p>Exit codes: 0 all runs are complete; 1 a run failed; 2 a mistake of the user; 3 a run is in use by another process.
+ * When it is interrupted the state is that of the last complete generation, and the code is the system's: 130 after Ctrl-C, 143
+ * after SIGTERM.
+ */
+final class MainJob implements Callable<Integer> {
+
+    /** A run is in use by another process. */
+    static final int IN_USE = 3;
+
+    /** How long an interrupted program finishes what it is writing; less than the five seconds schedulers give at least. */
+    private static final Duration LAST_WRITES = Duration.ofSeconds(4);
+
+    private final List<String> words;
+    private final PrintWriter out;
+    private final PrintWriter errors;
+
+    MainJob(List<String> words, PrintWriter out, PrintWriter errors) {
+        this.words = words;
+        this.out = out;
+        this.errors = errors;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException, IOException {
+        ParameterReader.Result read = new ParameterReader(ParameterCatalogue.load()).read(words);
+        read.remarks().forEach(remark -> errors.println("mmneat: " + remark));
+        ExperimentPlan plan = ExperimentPlan.of(read.parameters());
+        Experiment experiment = new Experiment(plan);
+        boolean quiet = read.parameters().flag("quiet");
+
+        Thread interruption = new Thread(() -> halt(experiment), "interruption");
+        Runtime.getRuntime().addShutdownHook(interruption);
+        List<RunOutcome> outcomes;
+        try (Progress shown = Progress.start(quiet, out, plan, experiment.monitors())) {
+            outcomes = experiment.run();
+        }
+        // Fails if the program is being ended just now: then the hook has the last word.
+        Runtime.getRuntime().removeShutdownHook(interruption);
+
+        for (RunOutcome outcome : outcomes) {
+            reportTrouble(outcome);
+        }
+        if (!quiet) {
+            new ResultTable(plan, outcomes).print(out);
+        }
+        return exitCode(outcomes);
+    }
+
+    /** Runs when the process is told to end: Ctrl-C, SIGTERM. */
+    private void halt(Experiment experiment) {
+        boolean finished;
+        try {
+            finished = experiment.halt(LAST_WRITES);
+        } catch (InterruptedException | IOException e) {
+            finished = false;
+        }
+        errors.println();
+        errors.println("mmneat: stopped" + (finished ? "" : " while writing")
+                + "; every run is kept up to its last complete generation. To go on, give the same command again:");
+        errors.println("  java -jar mmneat.jar "
+                + String.join(" ", words.stream().map(MainJob::quoted).toList()));
+        errors.flush();
+    }
+
+    private void reportTrouble(RunOutcome outcome) {
+        if (!outcome.isComplete()) {
+            errors.println("mmneat: run " + outcome.run().number() + ": " + outcome.message());
+        }
+        if (outcome.failure() != null) {
+            outcome.failure().printStackTrace(errors);
+        }
+        errors.flush();
+    }
+
+    private static int exitCode(List<RunOutcome> outcomes) {
+        if (outcomes.stream().allMatch(RunOutcome::isComplete)) {
+            return ExitCode.OK;
+        }
+        boolean onlyInUse = outcomes.stream()
+                .allMatch(outcome -> outcome.isComplete() || outcome.phase() == RunMonitor.Phase.IN_USE);
+        return onlyInUse ? IN_USE : ExitCode.SOFTWARE;
+    }
+
+    /** As a shell reads it. */
+    private static String quoted(String word) {
+        return word.matches("[\\w./:=,+-]*") ? word : "'" + word.replace("'", "'\\''") + "'";
+    }
+}

@@ -1,0 +1,149 @@
+package mmneat.cli;
+
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import mmneat.experiment.ExperimentPlan;
+import mmneat.experiment.RunMonitor;
+import mmneat.experiment.RunMonitor.Phase;
+import mmneat.experiment.RunMonitor.Snapshot;
+import picocli.CommandLine.Help.Ansi;
+
+/**
+ * Shows how an experiment goes while it does. On a terminal a line for each run at work and one for all, kept up to date; in a
+ * log file or on a dumb terminal the same lines now and then, ever more rarely.
+ */
+final class Progress implements AutoCloseable {
+
+    /** On a terminal more runs at work than this are not shown one by one. */
+    private static final int MOST_LINES = 16;
+
+    private static final long TERMINAL_MILLIS = 500;
+    private static final Duration FIRST_PLAIN = Duration.ofSeconds(10);
+    private static final Duration LAST_PLAIN = Duration.ofMinutes(10);
+
+    private static final String UP_AND_CLEAR = "\u001b[1A\u001b[2K";
+
+    private final PrintWriter out;
+    private final List<RunMonitor> monitors;
+    private final boolean isTerminal;
+    private final long startNanos = System.nanoTime();
+    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread thread = new Thread(task, "progress");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    private double portionAtStart = Double.NaN;
+    private int linesOnTerminal;
+
+    private Progress(PrintWriter out, List<RunMonitor> monitors, boolean isTerminal) {
+        this.out = out;
+        this.monitors = monitors;
+        this.isTerminal = isTerminal;
+    }
+
+    /** Begins to show progress, unless it is to be quiet. */
+    static Progress start(boolean quiet, PrintWriter out, ExperimentPlan plan, List<RunMonitor> monitors) {
+        Progress progress = new Progress(out, monitors, Ansi.AUTO.enabled());
+        if (!quiet) {
+            out.println(plan.name() + ": "
+                    + (plan.runs().size() == 1
+                            ? "run " + plan.runs().get(0).number() + " in "
+                                    + plan.runs().get(0).directory()
+                            : plan.runs().size() + " runs in " + plan.base()));
+            out.flush();
+            progress.begin();
+        }
+        return progress;
+    }
+
+    private void begin() {
+        if (isTerminal) {
+            clock.scheduleAtFixedRate(this::redraw, TERMINAL_MILLIS, TERMINAL_MILLIS, TimeUnit.MILLISECONDS);
+        } else {
+            scheduleNote(FIRST_PLAIN);
+        }
+    }
+
+    private void scheduleNote(Duration after) {
+        Duration next = after.multipliedBy(2);
+        clock.schedule(
+                () -> {
+                    lines().forEach(out::println);
+                    out.flush();
+                    scheduleNote(next.compareTo(LAST_PLAIN) < 0 ? next : LAST_PLAIN);
+                },
+                after.toMillis(),
+                TimeUnit.MILLISECONDS);
+    }
+
+    private void redraw() {
+        List<String> lines = lines();
+        out.print(UP_AND_CLEAR.repeat(linesOnTerminal));
+        lines.forEach(out::println);
+        out.flush();
+        linesOnTerminal = lines.size();
+    }
+
+    /** A line for each run at work, and one for all. */
+    List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        int done = 0;
+        double portion = 0;
+        double stepsPerSecond = 0;
+        for (RunMonitor monitor : monitors) {
+            Snapshot now = monitor.snapshot();
+            if (now.phase() == Phase.RUNNING) {
+                stepsPerSecond += now.stepsPerSecond();
+                if (lines.size() < MOST_LINES) {
+                    lines.add(runLine(monitor.run().number(), now));
+                }
+            }
+            boolean isOver = now.phase() != Phase.RUNNING && now.phase() != Phase.WAITING;
+            done += isOver ? 1 : 0;
+            portion += isOver ? 1 : now.portion();
+        }
+        if (monitors.size() > 1) {
+            lines.add("all runs: " + done + " of " + monitors.size() + " done, "
+                    + Texts.percent(portion / monitors.size()) + ", " + Texts.rate(stepsPerSecond) + ", "
+                    + timeLeft(portion));
+        }
+        return lines;
+    }
+
+    private static String runLine(int number, Snapshot now) {
+        String scores = Double.isNaN(now.best())
+                ? "first generation"
+                : "best " + Texts.score(now.best()) + ", median " + Texts.score(now.median());
+        return "run " + number + ": generation " + now.generation() + " of " + now.generations() + ", " + scores + ", "
+                + Texts.rate(now.stepsPerSecond())
+                + (now.timeLeft() == null ? "" : ", " + Texts.duration(now.timeLeft()) + " left");
+    }
+
+    private String timeLeft(double portion) {
+        if (Double.isNaN(portionAtStart)) {
+            // What earlier sessions did is known after the runs at work have begun.
+            portionAtStart = portion;
+        }
+        double gained = portion - portionAtStart;
+        if (gained <= 0) {
+            return "time left not known yet";
+        }
+        double seconds = (System.nanoTime() - startNanos) * 1e-9;
+        return "about "
+                + Texts.duration(Duration.ofMillis((long) (seconds * 1000 * (monitors.size() - portion) / gained)))
+                + " left";
+    }
+
+    @Override
+    public void close() {
+        clock.shutdownNow();
+        out.print(UP_AND_CLEAR.repeat(linesOnTerminal));
+        out.flush();
+    }
+}

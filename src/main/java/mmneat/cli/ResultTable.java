@@ -1,0 +1,66 @@
+package mmneat.cli;
+
+import java.io.PrintWriter;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import mmneat.experiment.ExperimentPlan;
+import mmneat.experiment.RunMonitor.Phase;
+import mmneat.experiment.RunOutcome;
+
+/** What came out of an experiment: a line for each run, the best first. */
+final class ResultTable {
+
+    private static final int MOST_LINES = 40;
+
+    private final ExperimentPlan plan;
+    private final List<RunOutcome> outcomes;
+
+    ResultTable(ExperimentPlan plan, List<RunOutcome> outcomes) {
+        this.plan = plan;
+        this.outcomes = outcomes;
+    }
+
+    void print(PrintWriter out) {
+        List<RunOutcome> complete = outcomes.stream()
+                .filter(RunOutcome::isComplete)
+                .sorted(Comparator.comparingDouble((RunOutcome outcome) -> -best(outcome)))
+                .toList();
+        if (!complete.isEmpty()) {
+            out.println();
+            out.println(plan.name() + ": champions of the last generation");
+            out.printf(Locale.ROOT, "  %5s  %10s  %10s  %s%n", "run", "score", "median", "folder");
+            complete.stream().limit(MOST_LINES).forEach(outcome -> printRun(out, outcome));
+            if (complete.size() > MOST_LINES) {
+                out.println("  and " + (complete.size() - MOST_LINES) + " more");
+            }
+        }
+        long before = outcomes.stream()
+                .filter(outcome -> outcome.phase() == Phase.ALREADY_FINISHED)
+                .count();
+        if (before > 0) {
+            out.println((before == 1 ? "1 run was" : before + " runs were") + " complete before.");
+        }
+        out.flush();
+    }
+
+    /** The complete run with the best champion. */
+    Optional<RunOutcome> best() {
+        return outcomes.stream().filter(RunOutcome::isComplete).max(Comparator.comparingDouble(ResultTable::best));
+    }
+
+    private static double best(RunOutcome outcome) {
+        return outcome.status().best();
+    }
+
+    private static void printRun(PrintWriter out, RunOutcome outcome) {
+        out.printf(
+                Locale.ROOT,
+                "  %5d  %10s  %10s  %s%n",
+                outcome.run().number(),
+                Texts.score(outcome.status().best()),
+                Texts.score(outcome.status().median()),
+                outcome.run().directory());
+    }
+}

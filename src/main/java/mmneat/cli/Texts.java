@@ -1,0 +1,49 @@
+package mmneat.cli;
+
+import java.time.Duration;
+import java.util.Locale;
+
+/** Numbers and times as people read them. */
+final class Texts {
+
+    private Texts() {}
+
+    /** A score: whole numbers with separators if it is large, digits behind the point if it is small. */
+    static String score(double value) {
+        return Math.abs(value) >= 1000
+                ? String.format(Locale.ROOT, "%,.0f", value)
+                : String.format(Locale.ROOT, "%.4g", value)
+                        .replaceFirst("(\\.\\d*?)0+$", "$1")
+                        .replaceFirst("\\.$", "");
+    }
+
+    static String percent(double portion) {
+        return String.format(Locale.ROOT, "%.0f%%", portion * 100);
+    }
+
+    /** Simulated time steps per second. */
+    static String rate(double stepsPerSecond) {
+        if (stepsPerSecond >= 1e6) {
+            return String.format(Locale.ROOT, "%.1fM steps/s", stepsPerSecond / 1e6);
+        }
+        if (stepsPerSecond >= 1e3) {
+            return String.format(Locale.ROOT, "%.0fk steps/s", stepsPerSecond / 1e3);
+        }
+        return String.format(Locale.ROOT, "%.0f steps/s", stepsPerSecond);
+    }
+
+    /** A time in its two largest units. */
+    static String duration(Duration time) {
+        long seconds = Math.round(time.toMillis() / 1000.0);
+        if (seconds < 60) {
+            return seconds + " s";
+        }
+        if (seconds < 3600) {
+            return seconds / 60 + " min " + seconds % 60 + " s";
+        }
+        if (seconds < 86400) {
+            return seconds / 3600 + " h " + seconds % 3600 / 60 + " min";
+        }
+        return seconds / 86400 + " d " + seconds % 86400 / 3600 + " h";
+    }
+}

@@ -1,0 +1,116 @@
+package mmneat.experiment;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Supplier;
+import mmneat.evolution.Task;
+
+/**
+ * Does the runs of a plan: side by side, each by itself and exact. A run that is finished is skipped, one that was begun is
+ * continued; the result of a run does not depend on the others.
+ */
+public final class Experiment {
+
+    private final ExperimentPlan plan;
+    private final List<RunMonitor> monitors;
+    private final Supplier<Task> tasks;
+    private final CommitGate gate = new CommitGate();
+    private final Set<RunLock> heldLocks = ConcurrentHashMap.newKeySet();
+
+    /**
+     * An experiment that has not begun.
+     *
+     * @throws UserError if the task cannot be made or a run was begun with other parameters
+     */
+    public Experiment(ExperimentPlan plan) {
+        this.plan = plan;
+        tasks = Tasks.factory(plan);
+        monitors = plan.runs().stream()
+                .map(run -> new RunMonitor(run, System::nanoTime))
+                .toList();
+        plan.runs().get(0).parameters().as(EvolutionParameters.class).settings(tasks.get());
+        for (RunPlan run : plan.runs()) {
+            requireSameParameters(run);
+        }
+    }
+
+    private static void requireSameParameters(RunPlan run) {
+        RunParametersFile file = new RunParametersFile(run.directory());
+        try {
+            if (file.exists()) {
+                file.requireSame(run);
+            }
+        } catch (IOException e) {
+            throw new UserError(run.directory() + ": parameters.properties cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    /** How each run goes, in the plan's order. */
+    public List<RunMonitor> monitors() {
+        return monitors;
+    }
+
+    /**
+     * Does all runs.
+     *
+     * @return how each ended, in the plan's order
+     * @throws InterruptedException if the calling thread is interrupted; the runs are then stopped
+     */
+    public List<RunOutcome> run() throws InterruptedException {
+        int threads = threads();
+        boolean splitsRuns = plan.parameters().flag("parallelEvaluations");
+        ExecutorService workers = Executors.newFixedThreadPool(
+                splitsRuns ? 1 : Math.min(threads, plan.runs().size()), work -> {
+                    Thread thread = new Thread(work, "run");
+                    thread.setDaemon(true);
+                    return thread;
+                });
+        try {
+            List<Future<RunOutcome>> pending = new ArrayList<>();
+            for (RunMonitor monitor : monitors) {
+                RunWorker worker = new RunWorker(monitor.run(), tasks, threads, monitor, gate, heldLocks);
+                pending.add(workers.submit(worker::work));
+            }
+            List<RunOutcome> outcomes = new ArrayList<>();
+            for (Future<RunOutcome> future : pending) {
+                outcomes.add(future.get());
+            }
+            return outcomes;
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("a run's outcome was lost", e.getCause());
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    /** Threads that are asked for; by default one for each core. */
+    private int threads() {
+        int asked = plan.parameters().integer("threads");
+        return asked == 0 ? Runtime.getRuntime().availableProcessors() : asked;
+    }
+
+    /**
+     * Ends the writing of all runs, so that the program can end: what is being written is finished, nothing is begun, and the
+     * locks are given back. To be called when the process is told to end; the runs do not go on.
+     *
+     * @param patience how long to wait for what is being written
+     * @return whether all that was being written is finished; if not, the last complete state is on the disk all the same
+     */
+    public boolean halt(Duration patience) throws InterruptedException, IOException {
+        if (!gate.close(patience)) {
+            return false;
+        }
+        for (RunLock lock : heldLocks) {
+            lock.close();
+        }
+        return true;
+    }
+}

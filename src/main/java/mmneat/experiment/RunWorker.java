@@ -1,0 +1,191 @@
+package mmneat.experiment;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
+import mmneat.evolution.Evaluator;
+import mmneat.evolution.Evolution;
+import mmneat.evolution.EvolutionSettings;
+import mmneat.evolution.EvolutionState;
+import mmneat.evolution.ParallelEvaluator;
+import mmneat.evolution.SequentialEvaluator;
+import mmneat.evolution.Task;
+import mmneat.experiment.files.RunFiles;
+
+/** Does one run, from its beginning or from its checkpoint to its end, on the calling thread. */
+final class RunWorker {
+
+    private final RunPlan run;
+    private final Supplier<Task> tasks;
+    private final int evaluationThreads;
+    private final RunMonitor monitor;
+    private final CommitGate gate;
+    private final Set<RunLock> heldLocks;
+
+    /**
+     * @param tasks makes tasks, each for one thread
+     * @param evaluationThreads threads for {@code parallelEvaluations}
+     * @param heldLocks where the run's lock is listed while it is held; safe for many threads
+     */
+    RunWorker(
+            RunPlan run,
+            Supplier<Task> tasks,
+            int evaluationThreads,
+            RunMonitor monitor,
+            CommitGate gate,
+            Set<RunLock> heldLocks) {
+        this.run = run;
+        this.tasks = tasks;
+        this.evaluationThreads = evaluationThreads;
+        this.monitor = monitor;
+        this.gate = gate;
+        this.heldLocks = heldLocks;
+    }
+
+    /** Does the run; whatever goes wrong is in the outcome. */
+    RunOutcome work() {
+        RunOutcome outcome = outcome();
+        monitor.ended(outcome.phase());
+        return outcome;
+    }
+
+    private RunOutcome outcome() {
+        try {
+            Optional<RunStatus> status = RunStatus.read(run.directory());
+            if (status.isPresent() && status.get().isFinished(run.generations())) {
+                return new RunOutcome(run, RunMonitor.Phase.ALREADY_FINISHED, status.get(), null, null);
+            }
+            return evolveLocked();
+        } catch (RunLock.HeldException e) {
+            return new RunOutcome(run, RunMonitor.Phase.IN_USE, null, e.getMessage(), null);
+        } catch (CancellationException | InterruptedException e) {
+            return new RunOutcome(run, RunMonitor.Phase.STOPPED, null, "stopped", null);
+        } catch (UserError e) {
+            return failed(e.getMessage(), null);
+        } catch (UncheckedIOException | IOException e) {
+            return failed(fileMessage(e), null);
+        } catch (RuntimeException | Error e) {
+            return failed(e.toString(), e);
+        }
+    }
+
+    private RunOutcome evolveLocked() throws IOException, InterruptedException, RunLock.HeldException {
+        Files.createDirectories(run.directory());
+        RunLock lock = RunLock.acquire(run.directory(), RunLock.Timing.USUAL);
+        heldLocks.add(lock);
+        try {
+            return evolve(lock);
+        } catch (RunRecorder.RunStoppedException e) {
+            rethrowCause(e);
+            throw e;
+        } finally {
+            heldLocks.remove(lock);
+            lock.close();
+        }
+    }
+
+    private RunOutcome evolve(RunLock lock) throws IOException {
+        RunParametersFile parametersFile = new RunParametersFile(run.directory());
+        if (parametersFile.exists()) {
+            parametersFile.requireSame(run);
+        }
+        Task task = tasks.get();
+        EvolutionSettings settings =
+                run.parameters().as(EvolutionParameters.class).settings(task);
+        RunFolder folder = new RunFolder(run.directory(), run.prefix());
+        RunFiles files = new RunFiles(folder, task, files(settings));
+        CheckpointFile checkpoint = new CheckpointFile(run.directory());
+
+        EvolutionState state = begin(settings, folder, files, checkpoint);
+        parametersFile.write(run);
+        RunStatus status = new RunStatus(
+                RunStatus.State.RUNNING, state.generation(), run.generations(), Double.NaN, Double.NaN, 0, 0, null);
+        status.write(run.directory());
+        RunRecorder recorder = new RunRecorder(task, folder, files, checkpoint, lock, gate, monitor, status);
+        monitor.started(state.generation());
+        evolve(settings, state, task, recorder);
+        return new RunOutcome(run, RunMonitor.Phase.FINISHED, recorder.status(), null, null);
+    }
+
+    private EvolutionState begin(
+            EvolutionSettings settings, RunFolder folder, RunFiles files, CheckpointFile checkpoint)
+            throws IOException {
+        Optional<byte[]> saved = checkpoint.load();
+        if (saved.isEmpty()) {
+            EvolutionState initial = EvolutionState.initial(settings);
+            files.begin(initial);
+            return initial;
+        }
+        Checkpoint last = Checkpoint.fromJson(saved.get());
+        folder.cutTo(last.logs());
+        return last.evolution();
+    }
+
+    private RunFiles.Choice files(EvolutionSettings settings) {
+        Parameters parameters = run.parameters();
+        boolean severalModules = settings.initialNetworks().layout().hasPreferenceNeurons()
+                || settings.initialNetworks().layout().modules() > 1;
+        return new RunFiles.Choice(
+                parameters.flag("io"), parameters.flag("netio"), severalModules, parameters.flag("cleanOldNetworks"));
+    }
+
+    private void evolve(EvolutionSettings settings, EvolutionState state, Task task, RunRecorder recorder) {
+        if (run.parameters().flag("parallelEvaluations")) {
+            try (ParallelEvaluator evaluator = new ParallelEvaluator(tasks, evaluationThreads, run.seed())) {
+                evolve(settings, state, evaluator, recorder);
+            }
+        } else {
+            evolve(settings, state, new SequentialEvaluator(task), recorder);
+        }
+    }
+
+    private static void evolve(
+            EvolutionSettings settings, EvolutionState state, Evaluator evaluator, RunRecorder recorder) {
+        new Evolution(settings, state, evaluator, recorder).run();
+    }
+
+    private RunOutcome failed(String message, Throwable failure) {
+        int generation = monitor.snapshot().generation();
+        RunStatus status = new RunStatus(
+                RunStatus.State.FAILED, generation, run.generations(), Double.NaN, Double.NaN, 0, 0, message);
+        try {
+            gate.pass(() -> status.write(run.directory()));
+        } catch (Exception e) {
+            // The likeliest failure is a full disk; the message still reaches the user.
+            return new RunOutcome(run, RunMonitor.Phase.FAILED, status, message, withSuppressed(failure, e));
+        }
+        return new RunOutcome(run, RunMonitor.Phase.FAILED, status, message, failure);
+    }
+
+    private static Throwable withSuppressed(Throwable failure, Exception second) {
+        if (failure != null) {
+            failure.addSuppressed(second);
+        }
+        return failure;
+    }
+
+    private static String fileMessage(Exception e) {
+        Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
+        String what = cause instanceof java.nio.file.FileSystemException fileSystem && fileSystem.getReason() == null
+                ? cause.getClass().getSimpleName() + ": " + cause.getMessage()
+                : String.valueOf(cause.getMessage());
+        return what + "; what was complete is kept: mend it and give the same command again";
+    }
+
+    private static void rethrowCause(RunRecorder.RunStoppedException stopped)
+            throws IOException, InterruptedException, RunLock.HeldException {
+        if (stopped.getCause() instanceof IOException e) {
+            throw e;
+        }
+        if (stopped.getCause() instanceof InterruptedException e) {
+            throw e;
+        }
+        if (stopped.getCause() instanceof RunLock.HeldException e) {
+            throw e;
+        }
+    }
+}
