@@ -27,5 +27,92 @@ import picocli.CommandLine.Spec;
         versionProvider = Main.Version.class,
         description = "Modular Multiobjective NEAT for Ms. Pac-Man.",
         subcommands = {CompareCommand.class, NetworkCommand.class, PlayCommand.class, ReplayCommand.class})
-public final class Main implements Runnable {
 public final class Main implements Callable<Integer> {
+
+    @Spec
+    private CommandSpec command;
+
+    @Parameters(arity = "0..*", paramLabel = "NAME=VALUE", description = "What to evolve, and how; see params.")
+    private List<String> words = new ArrayList<>();
+
+    public static void main(String[] arguments) {
+        System.exit(commandLine().execute(arguments));
+    }
+
+    /** The whole command line; tests set its output and error writers. */
+    static CommandLine commandLine() {
+        CommandLine main = new CommandLine(new Main());
+        main.setExecutionExceptionHandler((failure, line, parsed) -> report(failure, line));
+        main.setParameterExceptionHandler((mistake, arguments) -> report(mistake));
+        listWords(main);
+        main.getSubcommands().values().forEach(Main::listWords);
+        return main;
+    }
+
+    /** Without a command: the main job; without any word: the few commands that a newcomer needs. */
+    @Override
+    public Integer call() throws Exception {
+        CommandLine line = command.commandLine();
+        if (words.isEmpty()) {
+            FirstPage.print(line.getOut());
+            return ExitCode.OK;
+        }
+        return new MainJob(words, line.getOut(), line.getErr()).call();
+    }
+
+    private static int report(Exception failure, CommandLine line) {
+        PrintWriter errors = line.getErr();
+        if (failure instanceof UserError) {
+            errors.println("mmneat: " + failure.getMessage());
+            errors.flush();
+            return ExitCode.USAGE;
+        }
+        failure.printStackTrace(errors);
+        errors.flush();
+        return ExitCode.SOFTWARE;
+    }
+
+    private static int report(ParameterException mistake) {
+        CommandLine line = mistake.getCommandLine();
+        line.getErr()
+                .println("mmneat: " + mistake.getMessage() + "; see "
+                        + line.getCommandSpec().qualifiedName() + " --help");
+        line.getErr().flush();
+        return ExitCode.USAGE;
+    }
+
+    /** Puts the name=value words of a command into its help, above the options. */
+    private static void listWords(CommandLine line) {
+        if (line.getCommand() instanceof WordCommand command) {
+            IHelpSectionRenderer words = help -> table(help, command.knownWords());
+            line.getHelpSectionMap().merge(UsageMessageSpec.SECTION_KEY_PARAMETER_LIST, words, Main::both);
+        }
+    }
+
+    private static IHelpSectionRenderer both(IHelpSectionRenderer first, IHelpSectionRenderer second) {
+        return help -> first.render(help) + second.render(help);
+    }
+
+    private static String table(Help help, List<Word> words) {
+        int left = words.stream()
+                        .mapToInt(word -> word.name().length() + word.value().length())
+                        .max()
+                        .orElse(0)
+                + 5;
+        Help.TextTable table = Help.TextTable.forColumns(
+                help.colorScheme(),
+                new Help.Column(left, 2, Help.Column.Overflow.SPAN),
+                new Help.Column(Math.max(40, 100 - left), 2, Help.Column.Overflow.WRAP));
+        words.forEach(word -> table.addRowValues(word.name() + "=" + word.value(), word.meaning()));
+        return table.toString();
+    }
+
+    /** The version that the build wrote into the jar. */
+    static final class Version implements CommandLine.IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            String version = Main.class.getPackage().getImplementationVersion();
+            return new String[] {"MM-NEAT " + (version == null ? "(not packaged)" : version)};
+        }
+    }
+}

@@ -48,9 +48,12 @@ final class MainJob implements Callable<Integer> {
 
         Thread interruption = new Thread(() -> halt(experiment), "interruption");
         Runtime.getRuntime().addShutdownHook(interruption);
+        Progress progress = Progress.start(quiet, out, plan, experiment.monitors());
         List<RunOutcome> outcomes;
-        try (Progress shown = Progress.start(quiet, out, plan, experiment.monitors())) {
+        try {
             outcomes = experiment.run();
+        } finally {
+            progress.close();
         }
         // Fails if the program is being ended just now: then the hook has the last word.
         Runtime.getRuntime().removeShutdownHook(interruption);

@@ -17,7 +17,7 @@ import picocli.CommandLine.Help.Ansi;
  * Shows how an experiment goes while it does. On a terminal a line for each run at work and one for all, kept up to date; in a
  * log file or on a dumb terminal the same lines now and then, ever more rarely.
  */
-final class Progress implements AutoCloseable {
+final class Progress {
 
     /** On a terminal more runs at work than this are not shown one by one. */
     private static final int MOST_LINES = 16;
@@ -140,8 +140,8 @@ final class Progress implements AutoCloseable {
                 + " left";
     }
 
-    @Override
-    public void close() {
+    /** Stops showing progress. */
+    void close() {
         clock.shutdownNow();
         out.print(UP_AND_CLEAR.repeat(linesOnTerminal));
         out.flush();

@@ -8,6 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.Collection;
+import java.util.Set;
+import java.util.TreeSet;
 
 /**
  * Writes files whole or not at all: to a temporary name, forced to disk, renamed. A crash or a full disk at any moment
@@ -27,6 +30,31 @@ final class DurableFiles {
         rename(unfinished, file);
     }
 
+    /**
+     * Replaces a file at once, but leaves it to the operating system when it reaches the disk: the program may die at any
+     * moment, but after a failure of the power the file may be empty unless {@link #force} was called.
+     */
+    static void replace(Path file, byte[] content) throws IOException {
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        Path unfinished = file.resolveSibling(file.getFileName() + UNFINISHED);
+        Files.write(unfinished, content);
+        Files.move(unfinished, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /** Waits until the files are on the disk, under their names. */
+    static void force(Collection<Path> files) throws IOException {
+        Set<Path> folders = new TreeSet<>();
+        for (Path file : files) {
+            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+                channel.force(true);
+            }
+            folders.add(file.toAbsolutePath().getParent());
+        }
+        for (Path folder : folders) {
+            force(folder);
+        }
+    }
+
     /** Writes a file as {@link #write} does, and keeps its last content under another name. */
     static void writeKeepingPrevious(Path file, Path previous, byte[] content) throws IOException {
         Path unfinished = writeUnfinished(file, content);
@@ -36,14 +64,13 @@ final class DurableFiles {
         rename(unfinished, file);
     }
 
-    /** Cuts a file at the length and adds to it, forced to disk. */
+    /** Cuts a file at the length and adds to it; {@link #force} puts it on the disk. */
     static void appendAt(Path file, long length, byte[] content) throws IOException {
         Files.createDirectories(file.toAbsolutePath().getParent());
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, StandardOpenOption.CREATE)) {
             channel.truncate(length);
             channel.position(length);
             writeFully(channel, content);
-            channel.force(true);
         }
     }
 

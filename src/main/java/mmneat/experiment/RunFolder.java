@@ -8,13 +8,15 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 
 /**
  * The files of one run, kept so that they always belong to a complete generation.
  *
- * <p>Whole files ({@link #write}) are there at once and complete. Rows of logs ({@link #append}) are held back and reach their
+ * <p>Whole files ({@link #write}) are there at once and complete, on the disk with the next {@link #flush}. Rows of logs ({@link #append}) are held back and reach their
  * files together ({@link #flush}), just before the checkpoint that remembers the lengths is written. After a crash the logs
  * are cut back to the lengths of the checkpoint that is there ({@link #cutTo}); what was written since is made again.
  *
@@ -29,6 +31,9 @@ public final class RunFolder {
     private final String prefix;
     private final Map<String, StringBuilder> held = new TreeMap<>();
     private final Map<String, Long> lengths = new TreeMap<>();
+
+    /** Files that the operating system may not have put on the disk yet. */
+    private final Set<Path> written = new TreeSet<>();
 
     /**
      * @param directory the run's folder
@@ -57,7 +62,8 @@ public final class RunFolder {
     /** Writes a file, replacing it if it exists. */
     public void write(String name, byte[] content) {
         try {
-            DurableFiles.write(directory.resolve(name), content);
+            DurableFiles.replace(directory.resolve(name), content);
+            written.add(directory.resolve(name));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -79,6 +85,7 @@ public final class RunFolder {
                     entries.sorted(Comparator.reverseOrder()).toList();
             for (Path entry : innermostFirst) {
                 Files.delete(entry);
+                written.remove(entry);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -86,7 +93,7 @@ public final class RunFolder {
     }
 
     /**
-     * Puts all text that was added into the logs.
+     * Puts all text that was added into the logs, and waits until everything is on the disk.
      *
      * @return the length in bytes of every log, for {@link #cutTo}
      */
@@ -97,12 +104,19 @@ public final class RunFolder {
             try {
                 // A log that no checkpoint knows is what a crash left: it starts again.
                 DurableFiles.appendAt(directory.resolve(name), length, content);
+                written.add(directory.resolve(name));
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
             lengths.put(name, length + content.length);
         });
         held.clear();
+        try {
+            DurableFiles.force(written);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        written.clear();
         return Map.copyOf(lengths);
     }
 
