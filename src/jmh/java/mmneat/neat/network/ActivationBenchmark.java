@@ -1,5 +1,6 @@
 package mmneat.neat.network;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import mmneat.neat.Genotype;
@@ -58,12 +59,11 @@ public class ActivationBenchmark {
         }
         int stride = genotypes[0].inputs();
         for (int row = 0; row < ROWS; row++) {
-            inputs[row] = new double[DIRECTIONS * stride];
             inputActivations[row] = new double[DIRECTIONS * stride];
             for (int i = 0; i < DIRECTIONS * stride; i++) {
-                inputs[row][i] = sizes.nextInt(3) == 0 ? 0 : sizes.nextDouble();
-                inputActivations[row][i] = Tanh.of(inputs[row][i]);
+                inputActivations[row][i] = sizes.nextInt(3) == 0 ? 0 : Tanh.of(sizes.nextDouble());
             }
+            inputs[row] = Arrays.copyOf(inputActivations[row], stride);
         }
     }
 

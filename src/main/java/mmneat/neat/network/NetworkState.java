@@ -57,8 +57,13 @@ public final class NetworkState {
      * @param random one {@code nextInt} is drawn to choose among the modules with the highest preference, also if there is
      *     only one
      * @return the chosen module
+     * @throws IllegalArgumentException if the number of inputs is wrong
      */
     public int activate(double[] inputs, ResumableRandom random) {
+        if (inputs.length != network.inputs) {
+            throw new IllegalArgumentException(
+                    "the network has " + network.inputs + " inputs, got " + inputs.length + " values");
+        }
         carry();
         for (int i = 0; i < network.inputs; i++) {
             // The pending sum of an input is 0; adding it turns -0 into 0.

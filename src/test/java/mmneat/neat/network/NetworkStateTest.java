@@ -203,6 +203,14 @@ class NetworkStateTest {
     }
 
     @Test
+    void wrongNumberOfInputs_isRefused() {
+        NetworkState state = Network.compile(withDeadEnd()).newState();
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> state.activate(new double[2], new ResumableRandom(1)))
+                .withMessageContaining("1 inputs, got 2");
+    }
+
+    @Test
     void inputsThatAreNotNumbers_leaveNoModuleToChoose() {
         Genotype genotype = SampleGenotypes.grown(random, 2, SampleGenotypes.withPreference(2), 0, 0);
         NetworkState state = Network.compile(genotype).newState();
