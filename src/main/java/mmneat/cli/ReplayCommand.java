@@ -56,11 +56,11 @@ final class ReplayCommand implements Runnable, WordCommand {
         int delay = words.integer("delay", Constants.DELAY, 0, LONGEST_DELAY_MILLISECONDS);
         boolean wantsView = words.flag("view", true);
         boolean view = wantsView && !GraphicsEnvironment.isHeadless();
-        if (wantsView && !view) {
-            command.commandLine().getErr().println("mmneat: there is no display, so the game is not shown");
-        }
         try {
             Recording recording = Recording.load(file);
+            if (wantsView && !view) {
+                command.commandLine().getErr().println("mmneat: there is no display, so the game is not shown");
+            }
             Game game = new Executor()
                     .replayGame(recording, GameWords.rules(words, recording.rules()), view, view ? delay : 0);
             command.commandLine()

@@ -128,10 +128,19 @@ final class EntryClassLoader extends URLClassLoader {
                 return Optional.of(name.substring(0, end));
             }
             name = classFile(name.replace('/', '.'))
-                    .map(bytes -> new ClassReader(bytes).getSuperName())
+                    .flatMap(EntryClassLoader::superclass)
                     .orElse(null);
         }
         return Optional.empty();
+    }
+
+    /** Empty if the class file is damaged or too new to be read: the JVM will say so when it is loaded. */
+    private static Optional<String> superclass(byte[] classFile) {
+        try {
+            return Optional.ofNullable(new ClassReader(classFile).getSuperName());
+        } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+            return Optional.empty();
+        }
     }
 
     private Optional<byte[]> classFile(String className) {

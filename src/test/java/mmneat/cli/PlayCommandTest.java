@@ -1,0 +1,174 @@
+package mmneat.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import mmneat.CompiledClasses;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+/** The commands play and replay, as a user types them. */
+class PlayCommandTest {
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void clear() {
+        out.getBuffer().setLength(0);
+        errors.getBuffer().setLength(0);
+    }
+
+    private int execute(String... arguments) {
+        clear();
+        CommandLine line = Main.commandLine();
+        line.setOut(new PrintWriter(out, true));
+        line.setErr(new PrintWriter(errors, true));
+        return line.execute(arguments);
+    }
+
+    private String scoreLine() {
+        return out.toString().lines().toList().get(1);
+    }
+
+    private void assertMistake(String message, String... arguments) {
+        assertThat(execute(arguments)).isEqualTo(2);
+        assertThat(errors.toString().lines()).hasSize(1);
+        assertThat(errors.toString()).contains(message);
+        assertThat(out.toString()).isEmpty();
+    }
+
+    @Test
+    void games_areSummedUp_andTheSameSeedGivesTheSameGames() {
+        String[] words = {"play", "pacman=StarterPacMan", "ghosts:Legacy", "games=20", "seed=1"};
+        assertThat(execute(words)).isZero();
+        assertThat(out.toString().lines()).hasSize(3);
+        assertThat(out.toString())
+                .startsWith("StarterPacMan against Legacy, 20 games, seed 1, rules competition")
+                .containsPattern("score: mean [\\d.]+, standard deviation [\\d.]+, minimum \\d+, maximum \\d+")
+                .containsPattern("steps: \\d+, \\d+ per second");
+        String first = scoreLine();
+        execute(words);
+        assertThat(scoreLine()).isEqualTo(first);
+        words[4] = "seed=2";
+        execute(words);
+        assertThat(scoreLine()).isNotEqualTo(first);
+    }
+
+    @Test
+    void oneGame_hasNoStandardDeviation() {
+        assertThat(execute("play")).isZero();
+        assertThat(out.toString()).contains("1 game, seed 0").contains("standard deviation -,");
+    }
+
+    @Test
+    void rulesAndMaze_changeTheGame() throws IOException {
+        execute("play", "games=5");
+        String competition = scoreLine();
+        assertThat(execute("play", "games=5", "rules=blended")).isZero();
+        assertThat(out.toString()).contains("rules blended");
+        assertThat(scoreLine()).isNotEqualTo(competition);
+        assertThat(execute("play", "games=5", "maze=c")).isZero();
+        String mazeC = scoreLine();
+        assertThat(mazeC).isNotEqualTo(competition);
+        Path drawing = folder.resolve("own.txt");
+        try (var source = PlayCommandTest.class.getResourceAsStream("/mazes/c.txt")) {
+            Files.copy(source, drawing);
+        }
+        assertThat(execute("play", "games=5", "maze=" + drawing)).isZero();
+        assertThat(scoreLine()).isEqualTo(mazeC);
+        for (String rules : new String[] {"interleaved", "isolatedPills", "mpmVsGhosts", "fourMaze", "mmneat"}) {
+            assertThat(execute("play", "pacman=RandomPacMan", "rules=" + rules)).isZero();
+        }
+    }
+
+    @Test
+    void recording_canBeReplayed() throws IOException {
+        Path file = folder.resolve("game.txt");
+        assertThat(execute("play", "seed=3", "record=" + file)).isZero();
+        String steps = out.toString().lines().toList().get(2).replaceAll("steps: (\\d+),.*", "$1");
+        assertThat(Files.readAllLines(file)).hasSize(Integer.parseInt(steps));
+        assertThat(execute("replay", file.toString(), "view=false")).isZero();
+        assertThat(out.toString()).startsWith(steps + " steps: score ");
+        assertThat(execute("replay", file.toString())).isZero();
+        assertThat(errors.toString()).contains("there is no display");
+    }
+
+    @Test
+    void timedGame_isPlayed() {
+        assertThat(execute("play", "timed=true", "pacman=RandomPacMan", "rules=mmneat"))
+                .isZero();
+        assertThat(out.toString()).contains(", timed");
+    }
+
+    @Test
+    void viewWithoutADisplay_isToldAndPlaysOn() {
+        assertThat(execute("play", "view=true")).isZero();
+        assertThat(errors.toString().lines())
+                .containsExactly("mmneat: there is no display, so the games are not shown");
+    }
+
+    @Test
+    void entryThatThrows_isNamed_withTimeAndStackTrace() throws IOException {
+        Path classes = CompiledClasses.compile(
+                folder,
+                System.getProperty("java.class.path"),
+                "package my; public class Entry extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) {"
+                        + "   if (game.getTotalTime() == 5) { throw new IllegalStateException(\"no idea\"); }"
+                        + "   return null; } }");
+        assertThat(execute("play", "classpath=" + classes, "pacman=my.Entry")).isEqualTo(2);
+        assertThat(errors.toString())
+                .contains("mmneat: my.Entry threw an exception in game 1 at time 5")
+                .contains("IllegalStateException: no idea")
+                .contains("my.Entry.getMove(Entry.java")
+                .contains("mmneat: my.Entry failed: java.lang.IllegalStateException: no idea");
+    }
+
+    @Test
+    void mistakes_areOneLine() throws IOException {
+        assertMistake("unknown name 'pacmn' (did you mean 'pacman'?)", "play", "pacmn=StarterPacMan");
+        assertMistake("there is no controller 'Starter'", "play", "pacman=Starter");
+        assertMistake("does not decide on moves for Ms. Pac-Man", "play", "pacman=Legacy");
+        assertMistake("games=0: must be a whole number, at least 1", "play", "games=0");
+        assertMistake("rules=hard: must be one of", "play", "rules=hard");
+        assertMistake("maze: cannot read none.txt: there is no such file", "play", "maze=none.txt");
+        assertMistake("'ghostLocations' is missing", "play", "rules=isolatedGhosts");
+        assertMistake(
+                "ghostLocations: cannot read none.txt", "play", "rules=isolatedGhosts", "ghostLocations=none.txt");
+        assertMistake("one game is recorded", "play", "record=" + folder.resolve("x"), "games=2");
+        assertMistake("there is no folder", "play", "record=" + folder.resolve("none/x"));
+        assertMistake("needs view=true", "play", "pacman=Human");
+        assertMistake("there is no file or folder", "play", "classpath=none.jar", "pacman=my.Entry");
+        assertMistake("write replay FILE", "replay");
+        assertMistake("cannot read none.txt: there is no such file", "replay", "none.txt");
+        Path text = Files.writeString(folder.resolve("text.txt"), "hello\n");
+        assertMistake("not a recording", "replay", text.toString());
+        Path broken = folder.resolve("broken.txt");
+        Files.writeString(broken, "x,".repeat(34) + "x\n");
+        assertMistake("broken.txt: ", "replay", broken.toString(), "view=false");
+        Path maze = Files.writeString(folder.resolve("maze.txt"), "????\n");
+        assertMistake("maze.txt", "play", "maze=" + maze);
+    }
+
+    @Test
+    void help_listsEveryWord() {
+        assertThat(execute("play", "--help")).isZero();
+        assertThat(out.toString())
+                .contains("pacman=", "ghosts=", "games=", "seed=", "classpath=", "rules=", "maze=", "timed=", "view=")
+                .contains("record=");
+        assertThat(execute("replay", "--help")).isZero();
+        assertThat(out.toString()).contains("replay FILE", "delay=", "view=");
+        assertThat(execute("--help")).isZero();
+        assertThat(out.toString()).contains("play", "replay");
+    }
+}

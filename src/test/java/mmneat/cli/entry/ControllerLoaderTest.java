@@ -1,0 +1,228 @@
+package mmneat.cli.entry;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import mmneat.CompiledClasses;
+import mmneat.experiment.UserError;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import pacman.Executor;
+import pacman.controllers.Controller;
+import pacman.controllers.examples.Legacy;
+import pacman.controllers.examples.NearestPillPacMan;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/** Entries of others are found, and play our game. */
+class ControllerLoaderTest {
+
+    private static final String OUR_CLASSES = System.getProperty("java.class.path");
+
+    /** Heads for the nearest pill, in any package, against any copy of the interface. */
+    private static String entry(String packageLine, String api, String className) {
+        return packageLine
+                + "import " + api + "controllers.Controller;"
+                + "import " + api + "game.Constants.DM;"
+                + "import " + api + "game.Constants.MOVE;"
+                + "import " + api + "game.Game;"
+                + "public class " + className + " extends Controller<MOVE> {"
+                + "  private final Target target = new Target();"
+                + "  public MOVE getMove(Game game, long timeDue) { return target.move(game.copy()); }"
+                + "  private static class Target {"
+                + "    MOVE move(Game game) {"
+                + "      int position = game.getPacmanCurrentNodeIndex();"
+                + "      int[] pills = game.getActivePillsIndices();"
+                + "      int[] powerPills = game.getActivePowerPillsIndices();"
+                + "      int[] all = java.util.Arrays.copyOf(pills, pills.length + powerPills.length);"
+                + "      System.arraycopy(powerPills, 0, all, pills.length, powerPills.length);"
+                + "      int target = game.getClosestNodeIndexFromNodeIndex(position, all, DM.PATH);"
+                + "      return game.getNextMoveTowardsTarget(position, target, DM.PATH);"
+                + "    }"
+                + "  }"
+                + "}";
+    }
+
+    @TempDir
+    private Path folder;
+
+    private Path compiled(String... sources) throws IOException {
+        return CompiledClasses.compile(folder, OUR_CLASSES, sources);
+    }
+
+    private static String gamePlayedBy(Controller<MOVE> pacMan) {
+        Game game = new Game(7);
+        new Executor().runExperiment(pacMan, new Legacy(), game);
+        return game.getGameState();
+    }
+
+    private static void assertPlaysAsNearestPillPacMan(Path place, String name) {
+        Controller<MOVE> entry =
+                new ControllerLoader(List.of(place)).pacMan(name).create();
+        assertThat(entry.getClass().getClassLoader()).isNotEqualTo(Controller.class.getClassLoader());
+        assertThat(gamePlayedBy(entry)).isEqualTo(gamePlayedBy(new NearestPillPacMan()));
+    }
+
+    @Test
+    void ours_areFoundWithAndWithoutPackage() {
+        ControllerLoader loader = new ControllerLoader(List.of());
+        assertThat(loader.pacMan("StarterPacMan").create().getClass().getName())
+                .isEqualTo("pacman.controllers.examples.StarterPacMan");
+        assertThat(loader.ghosts("pacman.controllers.examples.Legacy").simpleName())
+                .isEqualTo("Legacy");
+        assertThat(loader.pacMan("MyPacMan").create())
+                .isNotSameAs(loader.pacMan("MyPacMan").create());
+        assertThat(loader.ghosts("MyGhosts").simpleName()).isEqualTo("MyGhosts");
+    }
+
+    @Test
+    void entryInAFolderOrJar_isFoundWithAndWithoutPackage() throws IOException {
+        Path classes = compiled(entry("package my.own;", "pacman.", "Entry"));
+        assertPlaysAsNearestPillPacMan(classes, "my.own.Entry");
+        assertPlaysAsNearestPillPacMan(CompiledClasses.jar(classes, folder.resolve("entry.jar")), "Entry");
+    }
+
+    @Test
+    void entryWithoutPackage_isFound() throws IOException {
+        assertPlaysAsNearestPillPacMan(compiled(entry("", "pacman.", "Entry")), "Entry");
+    }
+
+    @Test
+    void entryNamedAsOurSkeleton_comesFromItsJar() throws IOException {
+        Path classes = compiled(entry("package pacman.entries.pacman;", "pacman.", "MyPacMan"));
+        assertPlaysAsNearestPillPacMan(classes, "MyPacMan");
+        assertPlaysAsNearestPillPacMan(classes, "pacman.entries.pacman.MyPacMan");
+    }
+
+    @Test
+    void entryPackedWithItsOwnCopyOfTheInterface_usesOurs() throws IOException {
+        Path classes = compiled(
+                entry("package my.own;", "pacman.", "Entry"),
+                "package pacman.controllers.examples; public class Legacy {}");
+        assertPlaysAsNearestPillPacMan(classes, "Entry");
+        assertThat(new ControllerLoader(List.of(classes)).ghosts("Legacy").create())
+                .isInstanceOf(Legacy.class);
+    }
+
+    /** A copy of the interface in another package, as far as the entry needs it. */
+    private static String[] copiedInterface(String root) {
+        String unsupported = "{ throw new UnsupportedOperationException(); }";
+        return new String[] {
+            "package " + root + "game; public class Constants {"
+                    + "  public enum MOVE { UP, RIGHT, DOWN, LEFT, NEUTRAL } public enum DM { PATH } }",
+            "package " + root + "game; public class Game {"
+                    + "  public Game copy() " + unsupported
+                    + "  public int getPacmanCurrentNodeIndex() " + unsupported
+                    + "  public int[] getActivePillsIndices() " + unsupported
+                    + "  public int[] getActivePowerPillsIndices() " + unsupported
+                    + "  public int getClosestNodeIndexFromNodeIndex(int a, int[] b, Constants.DM c) " + unsupported
+                    + "  public Constants.MOVE getNextMoveTowardsTarget(int a, int b, Constants.DM c) " + unsupported
+                    + "}",
+            "package " + root + "controllers; public abstract class Controller<T> {" + "  public abstract T getMove("
+                    + root + "game.Game game, long timeDue); }"
+        };
+    }
+
+    @Test
+    void entryWithACopyOfTheInterfaceInAnotherPackage_playsOurGame() throws IOException {
+        String[] copy = copiedInterface("edu.example.pacman.");
+        Path classes = compiled(
+                copy[0],
+                copy[1],
+                copy[2],
+                entry("package edu.example.pacman.entries;", "edu.example.pacman.", "Entry"));
+        assertPlaysAsNearestPillPacMan(classes, "edu.example.pacman.entries.Entry");
+        // The copy itself may be missing: only its name counts.
+        try (var copies = Files.walk(classes.resolve("edu/example/pacman/game"))) {
+            for (Path file : copies.filter(Files::isRegularFile).toList()) {
+                Files.delete(file);
+            }
+        }
+        Files.delete(classes.resolve("edu/example/pacman/controllers/Controller.class"));
+        assertPlaysAsNearestPillPacMan(classes, "Entry");
+    }
+
+    @Test
+    void unknownClass_isAnErrorWithASuggestion() throws IOException {
+        ControllerLoader ours = new ControllerLoader(List.of());
+        assertThatThrownBy(() -> ours.ghosts("Legcy"))
+                .isInstanceOf(UserError.class)
+                .hasMessage("there is no controller 'Legcy' (did you mean 'Legacy'?)");
+        assertThatThrownBy(() -> ours.pacMan("my.Entry"))
+                .hasMessage("there is no class 'my.Entry'; give its jar or class folder as classpath=FILE");
+        Path classes = compiled(entry("package my.own;", "pacman.", "Entry"));
+        ControllerLoader loader = new ControllerLoader(List.of(classes));
+        assertThatThrownBy(() -> loader.pacMan("my.own.Entri"))
+                .hasMessage("there is no class 'my.own.Entri' in " + classes + " (did you mean 'my.own.Entry'?)");
+        assertThatThrownBy(() -> loader.pacMan("Something"))
+                .hasMessage("there is no class 'Something' in " + classes + " (controllers there: [my.own.Entry])");
+    }
+
+    @Test
+    void ambiguousName_isAnError() throws IOException {
+        Path classes = compiled(entry("package a;", "pacman.", "Entry"), entry("package b;", "pacman.", "Entry"));
+        assertThatThrownBy(() -> new ControllerLoader(List.of(classes)).pacMan("Entry"))
+                .isInstanceOf(UserError.class)
+                .hasMessage("'Entry' may be a.Entry or b.Entry; give it with its package");
+    }
+
+    @Test
+    void controllerOfTheWrongSide_isAnError() {
+        ControllerLoader loader = new ControllerLoader(List.of());
+        assertThatThrownBy(() -> loader.pacMan("Legacy"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("does not decide on moves for Ms. Pac-Man (MOVE); it answers with EnumMap");
+        assertThatThrownBy(() -> loader.ghosts("StarterPacMan"))
+                .hasMessageContaining(
+                        "does not decide on moves for the ghosts (EnumMap<GHOST, MOVE>); it answers with MOVE");
+        assertThatThrownBy(() -> loader.ghosts("pacman.Executor")).hasMessageContaining("is not a controller");
+        assertThatThrownBy(() -> loader.ghosts("pacman.controllers.NewGhostController"))
+                .hasMessageContaining("is abstract");
+    }
+
+    @Test
+    void entryThatCannotBeMade_isAnError() throws IOException {
+        String decides =
+                "public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) { return null; } }";
+        Path classes = compiled(
+                "public class NeedsArgument extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + "public NeedsArgument(int size) {}" + decides,
+                "public class Throws extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + "public Throws() { throw new IllegalStateException(\"no file\"); }" + decides,
+                "public class Missing extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + "private final Library library = new Library();" + decides,
+                "public class Library {}",
+                "class Hidden extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {" + decides);
+        Files.delete(classes.resolve("Library.class"));
+        ControllerLoader loader = new ControllerLoader(List.of(classes));
+        assertThatThrownBy(() -> loader.pacMan("NeedsArgument"))
+                .isInstanceOf(UserError.class)
+                .hasMessage("NeedsArgument has no constructor without arguments; add one");
+        assertThatThrownBy(() -> loader.pacMan("Throws").create())
+                .hasMessage("the constructor of Throws threw java.lang.IllegalStateException: no file");
+        assertThatThrownBy(() -> loader.pacMan("Missing").create())
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("Library");
+        assertThat(loader.pacMan("Hidden").create().getMove()).isNull();
+    }
+
+    @Test
+    void classPathThatCannotBeRead_isAnError() throws IOException {
+        assertThatThrownBy(() -> new ControllerLoader(List.of(folder.resolve("none.jar"))))
+                .isInstanceOf(UserError.class)
+                .hasMessage("classpath: there is no file or folder " + folder.resolve("none.jar"));
+        Path text = Files.writeString(folder.resolve("text.jar"), "not a jar");
+        assertThatThrownBy(() -> new ControllerLoader(List.of(text)))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("is not a readable jar or class folder");
+        Path classes = Files.createDirectories(folder.resolve("damaged"));
+        Files.writeString(classes.resolve("Entry.class"), "not a class");
+        assertThatThrownBy(() -> new ControllerLoader(List.of(classes)).pacMan("Entry"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("Entry");
+    }
+}
