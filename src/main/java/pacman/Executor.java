@@ -1,11 +1,11 @@
 package pacman;
 
+import java.io.FileWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.EnumMap;
 import java.util.function.Consumer;
 import mmneat.random.ResumableRandom;
@@ -218,14 +218,10 @@ public class Executor {
      * @param append whether to keep what the file holds already
      */
     public static void saveToFile(String data, String fileName, boolean append) {
-        try {
-            Files.writeString(
-                    Path.of(fileName),
-                    data + System.lineSeparator(),
-                    StandardCharsets.UTF_8,
-                    StandardOpenOption.CREATE,
-                    StandardOpenOption.WRITE,
-                    append ? StandardOpenOption.APPEND : StandardOpenOption.TRUNCATE_EXISTING);
+        // Not through a channel: an interrupt, which ends a timed game, must not lose its recording.
+        try (Writer file = new FileWriter(fileName, StandardCharsets.UTF_8, append)) {
+            file.write(data);
+            file.write(System.lineSeparator());
         } catch (IOException e) {
             System.out.println("Could not save data!");
             System.err.println(fileName + ": " + e);

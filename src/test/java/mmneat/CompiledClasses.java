@@ -19,6 +19,7 @@ import javax.tools.ToolProvider;
 /** Compiles small sources for tests, as a user would: against a class path of its own, into a folder or jar. */
 public final class CompiledClasses {
 
+    private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/", Pattern.DOTALL);
     private static final Pattern PACKAGE = Pattern.compile("package ([\\w.]+);");
     private static final Pattern TYPE = Pattern.compile("(?:class|enum|interface) (\\w+)");
 
@@ -66,7 +67,7 @@ public final class CompiledClasses {
     private static String fileName(String source) {
         Matcher name = PACKAGE.matcher(source);
         String folder = name.find() ? name.group(1).replace('.', '/') + "/" : "";
-        Matcher type = TYPE.matcher(source);
+        Matcher type = TYPE.matcher(COMMENT.matcher(source).replaceAll(""));
         assertThat(type.find()).as("a type in the source").isTrue();
         return folder + type.group(1) + ".java";
     }

@@ -3,6 +3,8 @@ package pacman.controllers.examples;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -95,6 +97,21 @@ class ExampleGamesTest {
         List<ExampleGame> expected =
                 read(Files.readAllLines(GoldenData.folder("controllers").resolve("example-games.tsv")));
         assertThat(expected).hasSize(120);
+        assertEndTheSame(expected);
+    }
+
+    @Test
+    void recordedGames_endTheSame() throws IOException {
+        try (InputStream recorded = ExampleGamesTest.class.getResourceAsStream("example-games.tsv")) {
+            List<ExampleGame> expected = read(new String(recorded.readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .toList());
+            assertThat(expected).hasSize(40);
+            assertEndTheSame(expected);
+        }
+    }
+
+    private static void assertEndTheSame(List<ExampleGame> expected) {
         for (ExampleGame game : expected) {
             assertThat(game.played(false)).isEqualTo(game);
             assertThat(game.played(true)).isEqualTo(game);

@@ -1,0 +1,43 @@
+package mmneat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A program that ran as a process of its own, as a user would start it.
+ *
+ * @param output what it wrote to standard output
+ * @param errors what it wrote to standard error
+ */
+public record ProgramRun(int exitCode, String output, String errors) {
+
+    private static final int LONGEST_SECONDS = 300;
+
+    /** Runs this Java with arguments, without a display, and waits for its end. */
+    public static ProgramRun java(Path folder, String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        command.add("-Djava.awt.headless=true");
+        command.addAll(List.of(arguments));
+        Path output = Files.createTempFile(folder, "output", ".txt");
+        Path errors = Files.createTempFile(folder, "errors", ".txt");
+        Process process = new ProcessBuilder(command)
+                .directory(folder.toFile())
+                .redirectOutput(output.toFile())
+                .redirectError(errors.toFile())
+                .start();
+        if (!process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS)) {
+            process.destroyForcibly();
+            throw new IllegalStateException("still running after " + LONGEST_SECONDS + " s: " + command);
+        }
+        return new ProgramRun(
+                process.exitValue(),
+                Files.readString(output, StandardCharsets.UTF_8),
+                Files.readString(errors, StandardCharsets.UTF_8));
+    }
+}
