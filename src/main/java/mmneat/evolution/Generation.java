@@ -23,9 +23,9 @@ public record Generation(
         children = List.copyOf(children);
     }
 
-    /** The parent with the largest {@link Task#championScore}; of several equally good the last, as in the original. */
+    /** The parent with the largest {@link Task#championRank}; of several equally good the last, as in the original. */
     public Individual champion(Task task) {
-        return best(parents, parent -> task.championScore(parent.evaluation()));
+        return best(parents, parent -> task.championRank(parent.evaluation()));
     }
 
     /** The best of a population in an objective; of several equally good the last, as in the original. */

@@ -18,13 +18,13 @@ public record SampleStatistics(double min, double mean, double max, double devia
     public static SampleStatistics of(double... sample) {
         return new SampleStatistics(
                 Arrays.stream(sample).min().orElseThrow(),
-                mean(sample),
+                meanOf(sample),
                 Arrays.stream(sample).max().orElseThrow(),
-                StrictMath.sqrt(variance(sample)));
+                StrictMath.sqrt(varianceOf(sample)));
     }
 
     /** Running mean of at least one value. */
-    public static double mean(double... sample) {
+    public static double meanOf(double... sample) {
         if (sample.length == 0) {
             throw new IllegalArgumentException("no values to average");
         }
@@ -36,7 +36,7 @@ public record SampleStatistics(double min, double mean, double max, double devia
     }
 
     /** Sample variance (n - 1); NaN for a single value. */
-    public static double variance(double... sample) {
+    public static double varianceOf(double... sample) {
         double mean = 0;
         double squares = 0;
         for (int i = 0; i < sample.length; i++) {

@@ -43,11 +43,19 @@ public interface Task {
     }
 
     /**
-     * The score by which the champion of a generation is chosen and learning curves are drawn, larger is better: the first
+     * The score that tells how good an individual is, larger is better: that of learning curves and champions. The first
      * objective unless a task says otherwise.
      */
     default double championScore(Evaluation evaluation) {
         return evaluation.objectives()[0];
+    }
+
+    /**
+     * What is compared when the champion of a generation is chosen; of equal ones the last is champion. {@link
+     * #championScore} unless a task compares more coarsely.
+     */
+    default double championRank(Evaluation evaluation) {
+        return championScore(evaluation);
     }
 
     /** What each input of a network means, in the order of the inputs. */

@@ -13,7 +13,7 @@ public enum TrialStatistic {
     AVERAGE("Average") {
         @Override
         public double of(double... trials) {
-            return SampleStatistics.mean(trials);
+            return SampleStatistics.meanOf(trials);
         }
     },
 

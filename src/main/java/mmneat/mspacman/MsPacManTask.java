@@ -85,6 +85,12 @@ public final class MsPacManTask implements Task {
         return evaluation.otherScores()[0];
     }
 
+    /** {@inheritDoc} Here the mean game score without its fraction: the quirk of spec/evolution.md, section 5.5. */
+    @Override
+    public double championRank(Evaluation evaluation) {
+        return (int) championScore(evaluation);
+    }
+
     @Override
     public List<String> inputLabels() {
         return suite.labels(-1);

@@ -95,7 +95,7 @@ public final class RunSummaries {
                 int c = column;
                 double[] sample =
                         ofRuns.stream().mapToDouble(rows -> rows.get(row)[c]).toArray();
-                lines.append(PopulationLog.tabbed(SampleStatistics.mean(sample), SampleStatistics.variance(sample)));
+                lines.append(PopulationLog.tabbed(SampleStatistics.meanOf(sample), SampleStatistics.varianceOf(sample)));
             }
             lines.append('\n');
         }

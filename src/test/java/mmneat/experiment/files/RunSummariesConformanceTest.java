@@ -84,7 +84,7 @@ class RunSummariesConformanceTest {
                 .get(0));
         double first = times[1];
         double second = 2 * averages[2] - first;
-        assertThat(SampleStatistics.variance(first, second)).isEqualTo(averages[3]);
+        assertThat(SampleStatistics.varianceOf(first, second)).isEqualTo(averages[3]);
     }
 
     private void requireSame(String name) throws IOException {

@@ -1,0 +1,327 @@
+package mmneat.evolution;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.CancellationException;
+import java.util.stream.Stream;
+import mmneat.neat.Genotype;
+import mmneat.neat.InitialNetworks;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.MutationRates;
+import mmneat.neat.VariationSettings;
+import mmneat.nsga2.Crowding;
+import mmneat.nsga2.Mating;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The loop, with tasks that have nothing to do with a game. */
+class EvolutionTest {
+
+    @Test
+    void exclusiveOr_isLearnt() {
+        Task task = new ExclusiveOrTask();
+        Recording recording = evolve(settings(task, 60, 80, Crowding.WHOLE_POPULATION), task);
+        Individual champion = Generation.bestIn(recording.last.parents(), 0);
+        assertThat(champion.evaluation().objectives()[0]).isGreaterThan(3.9);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Crowding.class)
+    void twoObjectives_areTradedOff_alongTheWholeFront(Crowding crowding) {
+        Task task = new SchafferTask();
+        Recording recording = evolve(settings(task, 20, 40, crowding), task);
+        double[] answers = recording.last.parents().stream()
+                .mapToDouble(parent -> parent.evaluation().otherScores()[0])
+                .sorted()
+                .toArray();
+        assertThat(answers[0]).isBetween(-0.7, -0.4);
+        assertThat(answers[answers.length - 1]).isBetween(0.4, 0.7);
+    }
+
+    @Test
+    void parents_areEvaluatedAnew_inEveryGeneration() {
+        Task task = new SchafferTask();
+        EvolutionSettings settings = settings(task, 7, 5, Crowding.WHOLE_POPULATION);
+        Recording recording = evolve(settings, task);
+        assertThat(recording.evaluations).isEqualTo(5 * (7 + 7) + 7);
+        Generation first = recording.generations.get(0);
+        Generation second = recording.generations.get(1);
+        for (Individual parent : second.parents()) {
+            Stream.concat(first.parents().stream(), first.children().stream())
+                    .filter(before ->
+                            before.genotype().id() == parent.genotype().id())
+                    .forEach(before -> assertThat(before.evaluation()).isNotEqualTo(parent.evaluation()));
+        }
+    }
+
+    @Test
+    void generations_haveMuParentsAndMuChildren_andTheFinalParentsNone() {
+        Task task = new SchafferTask();
+        Recording recording = evolve(settings(task, 6, 3, Crowding.WHOLE_POPULATION), task);
+        assertThat(recording.generations).extracting(Generation::number).containsExactly(0, 1, 2);
+        assertThat(recording.generations).allSatisfy(generation -> {
+            assertThat(generation.parents()).hasSize(6);
+            assertThat(generation.children()).hasSize(6);
+            assertThat(generation.children())
+                    .extracting(child -> child.genotype().id())
+                    .isEqualTo(generation.offspring().stream()
+                            .map(child -> child.genotype().id())
+                            .toList());
+        });
+        assertThat(recording.last.number()).isEqualTo(3);
+        assertThat(recording.last.parents()).hasSize(6);
+        assertThat(recording.last.children()).isEmpty();
+    }
+
+    @Test
+    void resumedEvolution_continuesAsIfItHadNeverStopped() {
+        Task task = new SchafferTask();
+        EvolutionSettings settings = settings(task, 8, 7, Crowding.WHOLE_POPULATION);
+        Recording whole = evolve(settings, task);
+        for (int resumedAt = 0; resumedAt < 7; resumedAt++) {
+            Recording rest = new Recording();
+            EvolutionState state = whole.states.get(resumedAt);
+            new Evolution(settings, state, new SequentialEvaluator(task, () -> 0), rest).run();
+            assertThat(rest.generations).isEqualTo(whole.generations.subList(resumedAt + 1, 7));
+            assertThat(rest.states).isEqualTo(whole.states.subList(resumedAt + 1, 7));
+            assertThat(rest.last).isEqualTo(whole.last);
+        }
+    }
+
+    @Test
+    void longerEvolution_beginsAsTheShorterOne() {
+        Task task = new SchafferTask();
+        Recording shorter = evolve(settings(task, 8, 3, Crowding.WHOLE_POPULATION), task);
+        Recording longer = evolve(settings(task, 8, 5, Crowding.WHOLE_POPULATION), task);
+        assertThat(longer.generations.subList(0, 3)).isEqualTo(shorter.generations);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 5})
+    void parallelEvaluation_givesTheSame_forAnyNumberOfThreads(int threads) {
+        assertThat(evolveInParallel(threads).generations).isEqualTo(evolveInParallel(1).generations);
+    }
+
+    @Test
+    void evaluationsOfOneGeneration_haveDifferentGenerators_inParallel() {
+        Generation first = evolveInParallel(2).generations.get(0);
+        Genotype parent = first.parents().get(0).genotype();
+        try (ParallelEvaluator evaluator = new ParallelEvaluator(SchafferTask::new, 2, 1)) {
+            List<Individual> twins =
+                    evaluator.evaluate(List.of(parent, parent), 0, 0, new ResumableRandom(1), individual -> {});
+            assertThat(twins.get(0).evaluation()).isNotEqualTo(twins.get(1).evaluation());
+        }
+    }
+
+    @Test
+    void failingEvaluation_endsTheEvolution_withItsCause() {
+        Task broken = new BrokenTask();
+        EvolutionSettings settings = settings(broken, 3, 2, Crowding.WHOLE_POPULATION);
+        EvolutionState initial = EvolutionState.initial(settings);
+        try (ParallelEvaluator evaluator = new ParallelEvaluator(BrokenTask::new, 2, 1)) {
+            Evolution evolution = new Evolution(settings, initial, evaluator, new Recording());
+            assertThatThrownBy(evolution::run)
+                    .hasMessage("an evaluation failed in generation 0")
+                    .hasRootCauseMessage("the task gave 2 objectives but names 1: [OnlyOne]");
+        }
+        Evolution evolution = new Evolution(settings, initial, new SequentialEvaluator(broken), new Recording());
+        assertThatThrownBy(evolution::run).hasMessage("the task gave 2 objectives but names 1: [OnlyOne]");
+    }
+
+    @Test
+    void interruptedThread_stopsEvolving() {
+        Task task = new SchafferTask();
+        EvolutionSettings settings = settings(task, 4, 3, Crowding.WHOLE_POPULATION);
+        Recording recording = new Recording() {
+            @Override
+            public void generationCompleted(Generation generation, EvolutionState next) {
+                super.generationCompleted(generation, next);
+                Thread.currentThread().interrupt();
+            }
+        };
+        Evolution evolution =
+                new Evolution(settings, EvolutionState.initial(settings), new SequentialEvaluator(task), recording);
+        assertThatThrownBy(evolution::run).isInstanceOf(CancellationException.class);
+        assertThat(Thread.interrupted()).isTrue();
+        assertThat(recording.generations).hasSize(1);
+    }
+
+    @Test
+    void initialPopulationSeed_changesThePopulationAlone() {
+        Task task = new ExclusiveOrTask();
+        EvolutionSettings settings = settings(task, 4, 1, Crowding.WHOLE_POPULATION);
+        EvolutionSettings reseeded = new EvolutionSettings(
+                settings.seed(),
+                OptionalInt.of(99),
+                settings.populationSize(),
+                settings.generations(),
+                settings.cleanFrequency(),
+                settings.initialNetworks(),
+                settings.mating(),
+                settings.variation());
+        EvolutionState plain = EvolutionState.initial(settings);
+        EvolutionState other = EvolutionState.initial(reseeded);
+        assertThat(other.population()).isNotEqualTo(plain.population());
+        assertThat(other.random()).isEqualTo(plain.random());
+        assertThat(other.pool()).isEqualTo(plain.pool());
+    }
+
+    @Test
+    void champion_isTheLastOfTheBest_asTheTaskRanksThem() {
+        Genotype genotype = EvolutionState.initial(settings(new SchafferTask(), 1, 1, Crowding.PER_FRONT))
+                .population()
+                .get(0);
+        List<Individual> parents = new ArrayList<>();
+        for (double score : new double[] {1, 7.2, 7.9, 7.4, 3}) {
+            Evaluation evaluation = new Evaluation(
+                    new double[] {score, -score}, new double[] {score}, new int[1], Evaluation.Outcomes.NONE);
+            parents.add(Individual.of(genotype.withId(parents.size()), evaluation, 0));
+        }
+        Generation generation = new Generation(0, parents, List.of(), List.of(), 0);
+        assertThat(generation.champion(new SchafferTask()).genotype().id()).isEqualTo(2);
+        assertThat(generation.champion(new CoarselyRanked()).genotype().id()).isEqualTo(3);
+        assertThat(Generation.bestIn(parents, 1).genotype().id()).isZero();
+    }
+
+    @Test
+    void impossibleSettings_areRefused() {
+        EvolutionSettings settings = settings(new SchafferTask(), 4, 1, Crowding.PER_FRONT);
+        assertThatThrownBy(() -> new EvolutionSettings(
+                        1,
+                        OptionalInt.empty(),
+                        0,
+                        1,
+                        10,
+                        settings.initialNetworks(),
+                        settings.mating(),
+                        settings.variation()))
+                .hasMessage("mu must be at least 1, is 0");
+    }
+
+    private static Recording evolve(EvolutionSettings settings, Task task) {
+        Recording recording = new Recording();
+        new Evolution(settings, EvolutionState.initial(settings), new SequentialEvaluator(task, () -> 0), recording)
+                .run();
+        return recording;
+    }
+
+    private static Recording evolveInParallel(int threads) {
+        EvolutionSettings settings = settings(new SchafferTask(), 6, 4, Crowding.WHOLE_POPULATION);
+        Recording recording = new Recording();
+        try (ParallelEvaluator evaluator = new ParallelEvaluator(SchafferTask::new, threads, settings.seed())) {
+            new Evolution(settings, EvolutionState.initial(settings), evaluator, recording).run();
+        }
+        return recording.withoutTimes();
+    }
+
+    private static EvolutionSettings settings(Task task, int mu, int generations, Crowding crowding) {
+        return new EvolutionSettings(
+                3,
+                OptionalInt.empty(),
+                mu,
+                generations,
+                2,
+                new InitialNetworks(task.inputs(), new ModuleLayout(2, 1, task.policyNeuronsPerModule(), false)),
+                new Mating(true, 0.5, crowding),
+                new VariationSettings(MutationRates.PUBLISHED.withModuleDuplication(0.1)));
+    }
+
+    /** Remembers everything. */
+    private static class Recording implements EvolutionObserver {
+        final List<Generation> generations = new ArrayList<>();
+        final List<EvolutionState> states = new ArrayList<>();
+        Generation last;
+        int evaluations;
+
+        @Override
+        public void evaluated(int generation, int done, int total, Individual individual) {
+            evaluations++;
+        }
+
+        @Override
+        public void generationCompleted(Generation generation, EvolutionState next) {
+            assertThat(evaluations % (2 * next.population().size())).isZero();
+            generations.add(generation);
+            states.add(next);
+        }
+
+        @Override
+        public void completed(Generation finalParents) {
+            last = finalParents;
+        }
+
+        Recording withoutTimes() {
+            generations.replaceAll(generation -> new Generation(
+                    generation.number(),
+                    withoutTimes(generation.parents()),
+                    generation.offspring(),
+                    withoutTimes(generation.children()),
+                    generation.archetypeSize()));
+            return this;
+        }
+
+        private static List<Individual> withoutTimes(List<Individual> individuals) {
+            return individuals.stream()
+                    .map(individual -> new Individual(individual.genotype(), individual.evaluation(), 0))
+                    .toList();
+        }
+    }
+
+    /** Says that it has one objective and gives two. */
+    private record BrokenTask() implements Task {
+        @Override
+        public List<String> objectiveNames() {
+            return List.of("OnlyOne");
+        }
+
+        @Override
+        public List<String> inputLabels() {
+            return List.of("Constant");
+        }
+
+        @Override
+        public int policyNeuronsPerModule() {
+            return 1;
+        }
+
+        @Override
+        public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+            return new Evaluation(new double[2], new double[0], new int[1], Evaluation.Outcomes.NONE);
+        }
+    }
+
+    /** Ranks champions by whole points. */
+    private record CoarselyRanked() implements Task {
+        @Override
+        public List<String> objectiveNames() {
+            return List.of("Points", "Minus");
+        }
+
+        @Override
+        public double championRank(Evaluation evaluation) {
+            return (int) championScore(evaluation);
+        }
+
+        @Override
+        public List<String> inputLabels() {
+            return List.of("Constant");
+        }
+
+        @Override
+        public int policyNeuronsPerModule() {
+            return 1;
+        }
+
+        @Override
+        public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+            throw new UnsupportedOperationException("nobody is evaluated");
+        }
+    }
+}

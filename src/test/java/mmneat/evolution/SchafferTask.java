@@ -1,0 +1,50 @@
+package mmneat.evolution;
+
+import java.util.List;
+import mmneat.neat.Genotype;
+import mmneat.neat.network.Network;
+import mmneat.neat.network.NetworkState;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Schaffer's two-objective function of the network's answer x in (-1, 1) to a constant input, with noise: be near -0.5, and be
+ * near 0.5. Every x between the two is a compromise that none dominates.
+ */
+public final class SchafferTask implements Task {
+
+    static final double NOISE = 0.001;
+
+    @Override
+    public List<String> objectiveNames() {
+        return List.of("NearMinusHalf", "NearHalf");
+    }
+
+    @Override
+    public double[] leastScores() {
+        return new double[] {-3, -3};
+    }
+
+    @Override
+    public List<String> otherScoreNames() {
+        return List.of("Answer");
+    }
+
+    @Override
+    public List<String> inputLabels() {
+        return List.of("Constant");
+    }
+
+    @Override
+    public int policyNeuronsPerModule() {
+        return 1;
+    }
+
+    @Override
+    public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+        NetworkState network = Network.compile(genotype).newState();
+        network.activate(new double[] {1}, random);
+        double x = network.policyOutput(0) + NOISE * random.nextGaussian();
+        double[] objectives = {-(x + 0.5) * (x + 0.5), -(x - 0.5) * (x - 0.5)};
+        return new Evaluation(objectives, new double[] {x}, network.moduleUsage(), new Evaluation.Outcomes(0, 0, 0, 1));
+    }
+}

@@ -1,0 +1,69 @@
+package mmneat.evolution;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.stream.IntStream;
+import mmneat.random.ResumableRandom;
+import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
+import org.junit.jupiter.api.Test;
+
+class StatisticsTest {
+
+    @Test
+    void sampleStatistics_agreeWithTheTextbook() {
+        ResumableRandom random = new ResumableRandom(5);
+        for (int round = 0; round < 200; round++) {
+            double[] sample = IntStream.range(0, 2 + random.nextInt(50))
+                    .mapToDouble(i -> 1000 * random.nextGaussian())
+                    .toArray();
+            DescriptiveStatistics expected = new DescriptiveStatistics(sample);
+            SampleStatistics statistics = SampleStatistics.of(sample);
+            assertThat(statistics.min()).isEqualTo(expected.getMin());
+            assertThat(statistics.max()).isEqualTo(expected.getMax());
+            assertThat(statistics.mean()).isCloseTo(expected.getMean(), within(1e-9));
+            assertThat(statistics.deviation()).isCloseTo(expected.getStandardDeviation(), within(1e-9));
+        }
+    }
+
+    @Test
+    void deviationOfOneValue_isNotANumber() {
+        assertThat(SampleStatistics.of(3).deviation()).isNaN();
+        assertThat(SampleStatistics.of(3).mean()).isEqualTo(3);
+    }
+
+    @Test
+    void average_isTheRunningMean_toTheLastBit() {
+        assertThat(TrialStatistic.AVERAGE.of(1, 0, 0)).isEqualTo(1 + (0 - 1.0) / 2 + (0 - 0.5) / 3);
+        double[] thirds = {0.1, 0.2, 0.3, 0.7, 0.9, 1.1, 1.3};
+        double mean = 0;
+        for (int i = 0; i < thirds.length; i++) {
+            mean += (thirds[i] - mean) / (i + 1);
+        }
+        assertThat(TrialStatistic.AVERAGE.of(thirds)).isEqualTo(mean);
+    }
+
+    @Test
+    void mode_isTheMostFrequent_tiesGoToTheLarger() {
+        assertThat(TrialStatistic.MODE.of(2, 1, 2, 3)).isEqualTo(2);
+        assertThat(TrialStatistic.MODE.of(1, 2, 2, 1, 3)).isEqualTo(2);
+        assertThat(TrialStatistic.MODE.of(4)).isEqualTo(4);
+    }
+
+    @Test
+    void mode_countsNeighboursAsTheFirstOfTheirGroup() {
+        assertThat(TrialStatistic.MODE.of(1.0009, 1, 1.0005, 5, 5)).isEqualTo(1);
+        assertThat(TrialStatistic.MODE.of(1.002, 1, 1.0025)).isEqualTo(1.002);
+    }
+
+    @Test
+    void max_isTheLargest() {
+        assertThat(TrialStatistic.MAX.of(-3, -1, -2)).isEqualTo(-1);
+    }
+
+    @Test
+    void noValues_haveNoMean() {
+        assertThatThrownBy(SampleStatistics::meanOf).hasMessage("no values to average");
+    }
+}
