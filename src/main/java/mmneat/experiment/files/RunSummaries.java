@@ -95,7 +95,8 @@ public final class RunSummaries {
                 int c = column;
                 double[] sample =
                         ofRuns.stream().mapToDouble(rows -> rows.get(row)[c]).toArray();
-                lines.append(PopulationLog.tabbed(SampleStatistics.meanOf(sample), SampleStatistics.varianceOf(sample)));
+                lines.append(
+                        PopulationLog.tabbed(SampleStatistics.meanOf(sample), SampleStatistics.varianceOf(sample)));
             }
             lines.append('\n');
         }
