@@ -52,19 +52,25 @@ final class GameStep {
         int next = straight >= 0 ? straight : node;
         state.pacManMove = asked >= 0 ? request : move;
         state.pacManNode = asked >= 0 ? asked : next;
-        eatPill(state);
-        eatPowerPill(state);
+        state.pillEaten = false;
+        state.powerPillEaten = false;
+        int pill = state.graph.pillNumber(state.pacManNode);
+        if (pill >= 0) {
+            if (state.hasPill(pill)) {
+                eatPill(state, pill);
+            }
+        } else {
+            int powerPill = state.graph.powerPillNumber(state.pacManNode);
+            if (powerPill >= 0 && (state.powerPills >>> powerPill & 1) != 0) {
+                eatPowerPill(state, powerPill);
+            }
+        }
         if (!state.pillEaten && !state.powerPillEaten) {
             state.timeInDeadSpace++;
         }
     }
 
-    private static void eatPill(GameState state) {
-        state.pillEaten = false;
-        int pill = state.graph.pillNumber(state.pacManNode);
-        if (pill < 0 || !state.hasPill(pill)) {
-            return;
-        }
+    private static void eatPill(GameState state, int pill) {
         state.pillEaten = true;
         state.eatenPills++;
         state.score += Constants.PILL;
@@ -75,12 +81,7 @@ final class GameStep {
         }
     }
 
-    private static void eatPowerPill(GameState state) {
-        state.powerPillEaten = false;
-        int powerPill = state.graph.powerPillNumber(state.pacManNode);
-        if (powerPill < 0 || (state.powerPills >>> powerPill & 1) == 0) {
-            return;
-        }
+    private static void eatPowerPill(GameState state, int powerPill) {
         int threats = 0;
         int nearest = Integer.MAX_VALUE;
         int lure = 0;

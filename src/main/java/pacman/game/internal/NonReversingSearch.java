@@ -52,8 +52,9 @@ final class NonReversingSearch {
     }
 
     /**
-     * The path from a start, reached by a direction, to a target: both included. Where the search fails, which it does in
-     * none of the four mazes, the target alone.
+     * The path from a start, reached by a direction, to a target: both included.
+     *
+     * <p>In a maze where two parts hang together by a single corridor the search can fail; then the path is an exact one.
      */
     int[] path(int start, int target, int startArrival, Estimate distance) {
         Arrays.fill(status, FRESH);
@@ -72,7 +73,51 @@ final class NonReversingSearch {
             }
             expand(node, target, distance);
         }
-        return pathTo(target);
+        return target == start || parent[target] >= 0 ? pathTo(target) : exactPath(start, target, startArrival);
+    }
+
+    /** Breadth-first search over nodes and the moves by which they are entered. */
+    private int[] exactPath(int start, int target, int startArrival) {
+        int[] cameFrom = new int[neighbours.length];
+        int[] queue = new int[neighbours.length];
+        Arrays.fill(cameFrom, -1);
+        int first = MazeGraph.MOVES * start + startArrival;
+        cameFrom[first] = first;
+        queue[0] = first;
+        int count = 1;
+        for (int head = 0; head < count; head++) {
+            int node = queue[head] / MazeGraph.MOVES;
+            int entered = queue[head] % MazeGraph.MOVES;
+            if (node == target) {
+                return trace(cameFrom, queue[head]);
+            }
+            for (int direction = 0; direction < 4; direction++) {
+                int next = neighbours[MazeGraph.MOVES * node + direction];
+                if (next < 0 || entered < 4 && direction == (entered ^ 2)) {
+                    continue;
+                }
+                int state = MazeGraph.MOVES * next + direction;
+                if (cameFrom[state] < 0) {
+                    cameFrom[state] = queue[head];
+                    queue[count++] = state;
+                }
+            }
+        }
+        throw new IllegalStateException("no way without turning back from node " + start + " to node " + target);
+    }
+
+    private static int[] trace(int[] cameFrom, int last) {
+        int length = 1;
+        for (int state = last; cameFrom[state] != state; state = cameFrom[state]) {
+            length++;
+        }
+        int[] path = new int[length];
+        int state = last;
+        for (int i = length - 1; i >= 0; i--) {
+            path[i] = state / MazeGraph.MOVES;
+            state = cameFrom[state];
+        }
+        return path;
     }
 
     private void expand(int node, int target, Estimate distance) {
