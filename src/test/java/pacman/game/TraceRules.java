@@ -2,6 +2,7 @@ package pacman.game;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import pacman.game.GameRules.Conventions;
 
 /** Rules as a trace file writes them: parameters by their command line names, and switches. */
 final class TraceRules {
@@ -12,6 +13,7 @@ final class TraceRules {
         JsonNode params = line.get("params");
         JsonNode on = line.get("switches");
         return new GameRules.Builder()
+                .conventions(Conventions.valueOf(params.path("conventions").asText("MM_NEAT")))
                 .lives(params.get("pacmanLives").asInt())
                 .extraLife(params.get("pacManGainsLives").asBoolean())
                 .maximumLevel(params.get("pacmanMaxLevel").asInt())
@@ -50,6 +52,7 @@ final class TraceRules {
     static void write(String name, GameRules rules, ObjectNode line) {
         line.put("type", "rules").put("name", name);
         line.putObject("params")
+                .put("conventions", rules.conventions().name())
                 .put("pacmanLives", rules.lives())
                 .put("pacManGainsLives", rules.extraLife())
                 .put("pacmanMaxLevel", rules.maximumLevel())
