@@ -112,7 +112,8 @@ final class GameRecorder {
             }
         }
         full(traced, steps);
-        lines.accept(traced.end(steps, Math.min(4, traced.game.getCurrentLevel() + 1)).toString());
+        lines.accept(traced.end(steps, Math.min(4, traced.game.getCurrentLevel() + 1))
+                .toString());
     }
 
     private void full(TracedGame traced, int steps) {
@@ -143,7 +144,8 @@ final class GameRecorder {
             return MOVES.charAt(random.nextInt(5));
         }
         if (number == 2) {
-            return "UURDDLNNLR-".charAt(random.nextInt(game.getTotalTime() < 200 && game.getTotalTime() > 10 ? 10 : 11));
+            return "UURDDLNNLR-"
+                    .charAt(random.nextInt(game.getTotalTime() < 200 && game.getTotalTime() > 10 ? 10 : 11));
         }
         int here = game.getPacmanCurrentNodeIndex();
         for (int ghost = 0; ghost < 4; ghost++) {
