@@ -26,7 +26,13 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         versionProvider = Main.Version.class,
         description = "Modular Multiobjective NEAT for Ms. Pac-Man.",
-        subcommands = {CompareCommand.class, NetworkCommand.class, PlayCommand.class, ReplayCommand.class})
+        subcommands = {
+            CompareCommand.class,
+            NetworkCommand.class,
+            PlayCommand.class,
+            ReplayCommand.class,
+            SubmitCommand.class
+        })
 public final class Main implements Callable<Integer> {
 
     @Spec

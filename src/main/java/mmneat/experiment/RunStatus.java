@@ -60,7 +60,8 @@ public record RunStatus(
                 file(directory), JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(this));
     }
 
-    boolean isFinished(int wanted) {
+    /** Whether the generations that are wanted are all complete. */
+    public boolean isFinished(int wanted) {
         return state == State.FINISHED && generation >= wanted;
     }
 

@@ -42,7 +42,7 @@ public record ExperimentJob(
     }
 
     /** The file of this experiment for an engine: {@code <folder>/<name>.<ending>}. */
-    Path file(String ending) {
+    public Path file(String ending) {
         return folder.resolve(name + "." + ending);
     }
 }
