@@ -57,10 +57,7 @@ public final class NetworkStates {
      * @throws IllegalArgumentException if a bit is set for which there is no state
      */
     public void activate(int which, double[] inputActivations, int stride, ResumableRandom random) {
-        if (which >>> states.length != 0) {
-            throw new IllegalArgumentException(
-                    "there are " + states.length + " states, asked for those of bits " + Integer.toBinaryString(which));
-        }
+        requireStates(which);
         int count = 0;
         for (int i = 0; i < states.length; i++) {
             if ((which >>> i & 1) != 0) {
@@ -68,6 +65,34 @@ public final class NetworkStates {
                 active[count++] = states[i];
             }
         }
+        finish(count, random);
+    }
+
+    /**
+     * The same with a row of its own for each state.
+     *
+     * @param inputActivations activation of input j of state i at {@code [i][j]}; rows of states that make no step are not read
+     */
+    public void activate(int which, double[][] inputActivations, ResumableRandom random) {
+        requireStates(which);
+        int count = 0;
+        for (int i = 0; i < states.length; i++) {
+            if ((which >>> i & 1) != 0) {
+                states[i].begin(inputActivations[i], 0);
+                active[count++] = states[i];
+            }
+        }
+        finish(count, random);
+    }
+
+    private void requireStates(int which) {
+        if (which >>> states.length != 0) {
+            throw new IllegalArgumentException(
+                    "there are " + states.length + " states, asked for those of bits " + Integer.toBinaryString(which));
+        }
+    }
+
+    private void finish(int count, ResumableRandom random) {
         propagate(count);
         for (int i = 0; i < count; i++) {
             active[i].chooseModule(random);
