@@ -7,7 +7,7 @@ import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.ModuleArbitration;
 import mmneat.neat.network.Network;
-import mmneat.neat.network.NetworkState;
+import mmneat.neat.network.NetworkStates;
 import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
@@ -32,12 +32,14 @@ public final class DirectionEvaluator {
     /** Names the module of a step; null if networks choose their modules themselves. */
     private final ModuleDivision division;
 
-    private final NetworkState[] states = new NetworkState[DIRECTIONS];
+    private final NetworkStates states;
     private final double[] preferences = new double[DIRECTIONS];
-    private final boolean[] open = new boolean[DIRECTIONS];
     private final ModuleUse use;
     private final boolean usesTanh;
     private int livesBefore = -1;
+
+    /** Open directions of the last decision, as bits. */
+    private int open;
 
     /**
      * A player with a network.
@@ -65,9 +67,7 @@ public final class DirectionEvaluator {
         }
         this.senses = senses;
         this.division = network.layout().standardMultitask() ? division : null;
-        for (int d = 0; d < DIRECTIONS; d++) {
-            states[d] = network.newState(arbitration);
-        }
+        states = network.newStates(DIRECTIONS, arbitration);
         use = new ModuleUse(network.modules());
         usesTanh = genotype.nodes().stream()
                 .limit(genotype.inputs())
@@ -76,9 +76,7 @@ public final class DirectionEvaluator {
 
     /** Becomes as new, for the next game. */
     public void startGame() {
-        for (NetworkState state : states) {
-            state.reset();
-        }
+        states.reset();
         use.clear();
         livesBefore = -1;
     }
@@ -101,35 +99,57 @@ public final class DirectionEvaluator {
         senses.observe(game);
         Situation state = senses.situation();
         int situation = ModuleUse.situation(state.highestEdibleTime() > 0, state.isAtJunction());
-        int module = division == null ? 0 : division.module(state);
+        if (division != null) {
+            states.presetModule(division.module(state));
+        }
+        if (usesTanh) {
+            activateTogether(state, random);
+        } else {
+            activateOneByOne(state, random);
+        }
         for (int d = 0; d < DIRECTIONS; d++) {
-            open[d] = state.isOpen(d);
-            if (open[d]) {
-                if (division != null) {
-                    states[d].presetModule(module);
-                }
-                int used = usesTanh
-                        ? states[d].activateFrom(senses.activations(d), 0, random)
-                        : states[d].activate(senses.inputs(d), random);
-                use.countNetwork(d, situation, used);
-                preferences[d] = states[d].policyOutput(0);
-            } else {
-                states[d].flush();
-                preferences[d] = WALL;
+            preferences[d] = WALL;
+            if (wasOpen(d)) {
+                use.countNetwork(d, situation, states.get(d).lastModule());
+                preferences[d] = states.get(d).policyOutput(0);
             }
         }
         // Quirk of the original: at a tie, the module counted may be that of a direction that is not taken.
-        use.countDecision(situation, states[preferredDirection(random)].lastModule());
+        use.countDecision(situation, states.get(preferredDirection(random)).lastModule());
         return preferredDirection(random);
+    }
+
+    /** The activations of input neurons are known from tables; those of all directions go through the network at once. */
+    private void activateTogether(Situation state, ResumableRandom random) {
+        open = 0;
+        for (int d = 0; d < DIRECTIONS; d++) {
+            if (state.isOpen(d)) {
+                open |= 1 << d;
+                senses.sense(d);
+            } else {
+                states.get(d).flush();
+            }
+        }
+        states.activate(open, senses.activations(), senses.suite().size(), random);
+    }
+
+    private void activateOneByOne(Situation state, ResumableRandom random) {
+        open = 0;
+        for (int d = 0; d < DIRECTIONS; d++) {
+            if (state.isOpen(d)) {
+                open |= 1 << d;
+                states.get(d).activate(senses.inputs(d), random);
+            } else {
+                states.get(d).flush();
+            }
+        }
     }
 
     /** At the start of a level and after a lost life nothing is remembered. */
     private void flushAfterChange(Game game) {
         int lives = game.getPacmanNumberOfLivesRemaining();
         if (game.getCurrentLevelTime() == 0 || lives < livesBefore) {
-            for (NetworkState state : states) {
-                state.flush();
-            }
+            states.flush();
         }
         livesBefore = lives;
     }
@@ -159,7 +179,7 @@ public final class DirectionEvaluator {
 
     /** Module usage that a genotype remembers: that of the LEFT direction's network. Quirk of the original. */
     int[] rememberedModuleUsage() {
-        return states[DIRECTIONS - 1].moduleUsage();
+        return states.get(DIRECTIONS - 1).moduleUsage();
     }
 
     /** Preference for a direction in the last decision; -1 for walls. */
@@ -169,11 +189,11 @@ public final class DirectionEvaluator {
 
     /** Whether a direction was open in the last decision. */
     public boolean wasOpen(int direction) {
-        return open[direction];
+        return (open >> direction & 1) != 0;
     }
 
     /** The module that the network of a direction used last. */
     public int lastModule(int direction) {
-        return states[direction].lastModule();
+        return states.get(direction).lastModule();
     }
 }

@@ -299,7 +299,12 @@ final class PathTables {
      */
     int length(long way, int least, int target) {
         int ahead = ahead(way, target);
-        return ahead >= least ? ahead : steps(way) + (rows[row(way) * nodes + target] & LENGTH_MASK);
+        return ahead >= least ? ahead : lengthBeyond(way, target);
+    }
+
+    /** Length of the path along a way to a target that is not in the corridor ahead. */
+    int lengthBeyond(long way, int target) {
+        return steps(way) + (rows[row(way) * nodes + target] & LENGTH_MASK);
     }
 
     /** Length of the path from a row's junction to a target. */

@@ -1,5 +1,6 @@
 package mmneat.mspacman.sensors;
 
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import pacman.game.Game;
 import pacman.game.internal.MazeTables;
@@ -7,60 +8,59 @@ import pacman.game.internal.MazeTables;
 /**
  * Senses games with the sensors of a suite: gives the inputs of a network for each direction. One thread uses it.
  *
- * <p>Per time step the state is taken in once, then the inputs are asked for per open direction.
+ * <p>Per time step the state is taken in once ({@link #observe}), then every open direction is sensed: either {@link #sense}
+ * for the activations of input neurons, or {@link #inputs} for the values themselves.
  */
 public final class Senses {
 
+    private static final int DIRECTIONS = 4;
+
     private final SensorSuite suite;
+    private final Sensor[] sensors;
     private final Situation situation = new Situation();
 
-    /** Numbers of the inputs that depend on the direction, and of those that do not. */
+    /** Inputs that do not depend on the direction. */
+    private final int[] common;
+
+    /** Inputs that depend on the direction. */
     private final int[] directional;
 
-    private final int[] common;
-    private final double[] inputs;
-    private final double[] activations;
+    /** Those of them that are sensed one by one: all, unless {@link #standard} writes the others. */
+    private final int[] single;
 
-    /** The sensors by input; null in {@link #graded} where a sensor has no table. */
-    private final Sensor[] sensors;
+    private final StandardInputs standard;
 
-    private final GradedSensor[] graded;
-
-    /** Hyperbolic tangent of each value of a graded sensor. */
+    /** Hyperbolic tangents of each graded sensor's values; null for other sensors. */
     private final double[][] tangents;
 
-    /** Value of each input of the common ones whose tangent is in {@link #activations}. */
-    private final double[] knownValue;
+    /** Value of each sensor for the direction that was asked last. */
+    private final double[] inputs;
+
+    /** Hyperbolic tangent of input i for direction d at index d stride + i. */
+    private final double[] activations;
 
     private MazeTables knownMaze;
     private SensorTables tables;
 
     Senses(SensorSuite suite) {
         this.suite = suite;
-        int size = suite.size();
         sensors = suite.sensors().toArray(Sensor[]::new);
-        graded = new GradedSensor[size];
-        tangents = new double[size][];
-        inputs = new double[size];
-        activations = new double[size];
-        knownValue = new double[size];
-        directional = numbers(true);
-        common = numbers(false);
-        for (int i = 0; i < size; i++) {
-            if (sensors[i] instanceof GradedSensor known) {
-                graded[i] = known;
-                tangents[i] = new double[known.grades()];
-                for (int grade = 0; grade < tangents[i].length; grade++) {
-                    tangents[i][grade] = StrictMath.tanh(known.value(grade));
-                }
-            }
+        common = inputsThat(i -> !sensors[i].isDirectional());
+        directional = inputsThat(i -> sensors[i].isDirectional());
+        boolean isStandard = StandardInputs.serve(suite.settings());
+        standard = isStandard ? new StandardInputs(suite) : null;
+        int own = sensors.length - suite.settings().own().size();
+        single = isStandard ? inputsThat(i -> i >= own && sensors[i].isDirectional()) : directional;
+        tangents = new double[sensors.length][];
+        for (int i = 0; i < sensors.length; i++) {
+            tangents[i] = sensors[i] instanceof GradedSensor graded ? StandardInputs.tangents(graded) : null;
         }
+        inputs = new double[sensors.length];
+        activations = new double[DIRECTIONS * sensors.length];
     }
 
-    private int[] numbers(boolean ofDirectional) {
-        return IntStream.range(0, sensors.length)
-                .filter(i -> sensors[i].isDirectional() == ofDirectional)
-                .toArray();
+    private int[] inputsThat(IntPredicate property) {
+        return IntStream.range(0, sensors.length).filter(property).toArray();
     }
 
     /** The sensors in use. */
@@ -85,17 +85,15 @@ public final class Senses {
             tables = suite.tables(maze);
         }
         situation.observe(game, tables);
-        senseCommon();
-    }
-
-    /** Senses what does not depend on the direction, after the situation has been set. */
-    void senseCommon() {
         for (int i : common) {
             double value = sensors[i].sense(situation);
-            inputs[i] = value;
-            if (value != knownValue[i]) {
-                knownValue[i] = value;
-                activations[i] = StrictMath.tanh(value);
+            // These change seldom, so their tangents are kept.
+            if (value != inputs[i]) {
+                inputs[i] = value;
+                double tangent = StrictMath.tanh(value);
+                for (int d = 0; d < DIRECTIONS; d++) {
+                    activations[d * sensors.length + i] = tangent;
+                }
             }
         }
     }
@@ -113,18 +111,27 @@ public final class Senses {
         return inputs;
     }
 
-    /**
-     * The hyperbolic tangents of what the sensors say about an open direction: the activations of input neurons.
-     *
-     * @return one value per sensor, valid until the next call
-     */
-    public double[] activations(int direction) {
+    /** Finds the activations of input neurons for an open direction. */
+    public void sense(int direction) {
         situation.face(direction);
-        for (int i : directional) {
-            activations[i] = graded[i] != null
-                    ? tangents[i][graded[i].grade(situation)]
+        int row = direction * sensors.length;
+        if (standard != null) {
+            standard.write(situation, activations, row);
+        }
+        for (int i : single) {
+            activations[row + i] = tangents[i] != null
+                    ? tangents[i][((GradedSensor) sensors[i]).grade(situation)]
                     : StrictMath.tanh(sensors[i].sense(situation));
         }
+    }
+
+    /**
+     * Hyperbolic tangents of what the sensors say about the directions that were sensed since the state was taken in; those of
+     * other directions are left over from before.
+     *
+     * @return input i for direction d at index d n + i, where n is the number of sensors; valid until the next step
+     */
+    public double[] activations() {
         return activations;
     }
 }

@@ -50,6 +50,10 @@ public final class Situation {
     private long way;
     private int least;
     private final int[] ghostDistance = new int[GHOSTS];
+
+    /** Whether each ghost is in the corridor ahead. */
+    private final boolean[] isAhead = new boolean[GHOSTS];
+
     private final int[] ghostOrder = new int[GHOSTS];
     private int ghostsOutside;
 
@@ -163,7 +167,9 @@ public final class Situation {
         ghostsOutside = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             if (isOutside(ghost)) {
-                ghostDistance[ghost] = paths.length(way, least, ghostNode[ghost]);
+                int ahead = paths.ahead(way, ghostNode[ghost]);
+                isAhead[ghost] = ahead >= least;
+                ghostDistance[ghost] = isAhead[ghost] ? ahead : paths.lengthBeyond(way, ghostNode[ghost]);
                 insertIntoOrder(ghost);
             }
         }
@@ -408,7 +414,7 @@ public final class Situation {
 
     /** Whether no junction lies between Ms. Pac-Man and a ghost outside the lair in this direction, nor under the ghost. */
     public boolean isTrapped(int ghost) {
-        return paths.ahead(way, ghostNode[ghost]) >= least;
+        return isAhead[ghost];
     }
 
     /** Most active pills on a walk of the look-ahead depth in this direction that never turns back. */
