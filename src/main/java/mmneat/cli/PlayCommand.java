@@ -12,6 +12,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import mmneat.cli.entry.ControllerFactory;
 import mmneat.cli.entry.ControllerLoader;
@@ -69,7 +70,12 @@ final class PlayCommand implements Runnable, WordCommand {
                 new Word(
                         "pacman",
                         "StarterPacMan",
-                        "class of Ms. Pac-Man's controller, or " + HUMAN + " with view=true"),
+                        "class of Ms. Pac-Man's controller, a file with an evolved network (champion.json), or " + HUMAN
+                                + " with view=true"),
+                new Word(
+                        "division",
+                        "AnyPills",
+                        "division of the task for a multitask network (default: that of full games)"),
                 new Word("ghosts", "Legacy", "class of the ghosts' controller"),
                 new Word(
                         "classpath",
@@ -102,7 +108,9 @@ final class PlayCommand implements Runnable, WordCommand {
         private final ControllerFactory<EnumMap<GHOST, MOVE>> ghosts;
 
         /** Null if a human plays. */
-        private final ControllerFactory<MOVE> pacMan;
+        private final Supplier<Controller<MOVE>> pacMan;
+
+        private final String pacManName;
 
         private final int games;
         private final long seed;
@@ -131,12 +139,22 @@ final class PlayCommand implements Runnable, WordCommand {
             }
             recording = words.path("record").orElse(null);
             ControllerLoader loader = new ControllerLoader(classPath(words));
-            String pacManName = words.text("pacman", "StarterPacMan");
-            boolean human = pacManName.equals(HUMAN) || pacManName.endsWith("HumanController");
+            String player = words.text("pacman", "StarterPacMan");
+            boolean human = player.equals(HUMAN) || player.endsWith("HumanController");
             if (human && !view) {
-                throw new UserError("pacman=" + pacManName + " needs view=true and a display");
+                throw new UserError("pacman=" + player + " needs view=true and a display");
             }
-            pacMan = human ? null : loader.pacMan(pacManName);
+            if (human) {
+                pacMan = null;
+                pacManName = HUMAN;
+            } else if (NetworkPlayer.isFile(player)) {
+                pacMan = NetworkPlayer.read(player, words.text("division"), seed);
+                pacManName = player;
+            } else {
+                ControllerFactory<MOVE> factory = loader.pacMan(player);
+                pacMan = factory::create;
+                pacManName = factory.simpleName();
+            }
             ghosts = loader.ghosts(words.text("ghosts", "Legacy"));
             requireRecordable();
         }
@@ -193,7 +211,7 @@ final class PlayCommand implements Runnable, WordCommand {
 
         private void play(Game game, int index) {
             try {
-                Controller<MOVE> player = pacMan == null ? new HumanController(new KeyBoardInput()) : pacMan.create();
+                Controller<MOVE> player = pacMan == null ? new HumanController(new KeyBoardInput()) : pacMan.get();
                 play(game, player, ghosts.create());
             } catch (RuntimeException | Error failure) {
                 ControllerFailure report = ControllerFailure.in(failure).orElse(null);
@@ -245,8 +263,7 @@ final class PlayCommand implements Runnable, WordCommand {
         }
 
         private void report(double seconds) {
-            String player = pacMan == null ? HUMAN : pacMan.simpleName();
-            out.println(player + " against " + ghosts.simpleName() + ", " + games + (games == 1 ? " game" : " games")
+            out.println(pacManName + " against " + ghosts.simpleName() + ", " + games + (games == 1 ? " game" : " games")
                     + ", seed " + seed + ", rules " + rulesName + (timed ? ", timed" : ""));
             out.println(String.format(
                     Locale.ROOT,
