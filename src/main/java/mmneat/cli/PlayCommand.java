@@ -263,8 +263,9 @@ final class PlayCommand implements Runnable, WordCommand {
         }
 
         private void report(double seconds) {
-            out.println(pacManName + " against " + ghosts.simpleName() + ", " + games + (games == 1 ? " game" : " games")
-                    + ", seed " + seed + ", rules " + rulesName + (timed ? ", timed" : ""));
+            out.println(
+                    pacManName + " against " + ghosts.simpleName() + ", " + games + (games == 1 ? " game" : " games")
+                            + ", seed " + seed + ", rules " + rulesName + (timed ? ", timed" : ""));
             out.println(String.format(
                     Locale.ROOT,
                     "score: mean %.1f, standard deviation %s, minimum %.0f, maximum %.0f",

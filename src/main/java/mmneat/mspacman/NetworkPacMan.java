@@ -69,7 +69,9 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
         if (!network.layout().standardMultitask()) {
             return null;
         }
-        return network.modules() == new ThreatEdibleOrBoth().modules() ? new ThreatEdibleOrBoth() : new AnyGhostEdible();
+        return network.modules() == new ThreatEdibleOrBoth().modules()
+                ? new ThreatEdibleOrBoth()
+                : new AnyGhostEdible();
     }
 
     @Override

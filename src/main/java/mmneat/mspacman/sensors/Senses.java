@@ -85,6 +85,11 @@ public final class Senses {
             tables = suite.tables(maze);
         }
         situation.observe(game, tables);
+        senseCommon();
+    }
+
+    /** Senses what does not depend on the direction, once the situation is known. */
+    void senseCommon() {
         for (int i : common) {
             double value = sensors[i].sense(situation);
             // These change seldom, so their tangents are kept.

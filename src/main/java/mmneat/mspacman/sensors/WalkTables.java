@@ -16,6 +16,9 @@ final class WalkTables {
      * greatest number of junctions does not depend on the state at all.
      */
 
+    /** The mazes of the competition have at most a few dozen from one node; a net of corridors could have millions. */
+    private static final int MOST_WALKS = 20_000;
+
     /** Longs of one mask. */
     private final int words;
 
@@ -86,6 +89,8 @@ final class WalkTables {
         private int junctionsNow;
         private int mostJunctions;
         private List<long[]> walks;
+        private int from;
+        private int explored;
 
         private Explorer(MazeGraph graph, int depth, int words) {
             this.graph = graph;
@@ -95,6 +100,8 @@ final class WalkTables {
         }
 
         private void explore(int start, int direction) {
+            from = start;
+            explored = 0;
             walks = new ArrayList<>();
             mostJunctions = 0;
             visits[start]++;
@@ -104,6 +111,12 @@ final class WalkTables {
 
         private void step(int node, int move, int stepsLeft, long[] pillsBefore) {
             if (stepsLeft == 0) {
+                if (++explored > MOST_WALKS) {
+                    throw new IllegalArgumentException(
+                            "maze " + graph.name() + ": more than " + MOST_WALKS + " walks of "
+                                    + depth + " steps start at node " + from
+                                    + "; draw corridors farther apart or lower smallStepSimDepth");
+                }
                 mostJunctions = Math.max(mostJunctions, junctionsNow);
                 keep(pillsBefore);
                 return;

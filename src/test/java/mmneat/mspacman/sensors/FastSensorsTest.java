@@ -1,0 +1,58 @@
+package mmneat.mspacman.sensors;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.stream.Stream;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import pacman.game.internal.MazeTables;
+import pacman.game.internal.Mazes;
+
+/** Sensors that look up equal sensors that search, in 100,000 random states. */
+class FastSensorsTest {
+
+    private static final int STATES_PER_MAZE = 20_000;
+
+    static Stream<MazeTables> mazes() {
+        return Stream.concat(Stream.of(0, 1, 2, 3).map(Mazes.standard()::get), Stream.of(DrawnMaze.maze()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("mazes")
+    void fastSensors_equalSearchingOnes_inRandomStates(MazeTables maze) {
+        ResumableRandom random = new ResumableRandom(maze.graph().nodeCount());
+        SensorSuite suite = SensorSuite.of(SensorSettings.blended());
+        SensorTables tables = suite.tables(maze);
+        Senses senses = suite.newSenses();
+        for (int i = 0; i < STATES_PER_MAZE; i++) {
+            RandomState state = new RandomState(maze.graph(), random);
+            ReferenceSensors reference = new ReferenceSensors(maze, state);
+            state.show(senses, tables);
+            for (int d = 0; d < 4; d++) {
+                if (senses.situation().isOpen(d)) {
+                    double[] expected = reference.inputs(d);
+                    double[] inputs = senses.inputs(d);
+                    if (!Arrays.equals(inputs, expected)) {
+                        assertThat(inputs)
+                                .as(
+                                        "maze %s, direction %d, %s: %s",
+                                        maze.graph().name(), d, state, suite.labels(d))
+                                .containsExactly(expected);
+                    }
+                    senses.sense(d);
+                    double[] activations =
+                            Arrays.copyOfRange(senses.activations(), d * suite.size(), (d + 1) * suite.size());
+                    for (int input = 0; input < expected.length; input++) {
+                        if (activations[input] != StrictMath.tanh(expected[input])) {
+                            assertThat(activations[input])
+                                    .as("activation of %s", suite.labels(d).get(input))
+                                    .isEqualTo(StrictMath.tanh(expected[input]));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

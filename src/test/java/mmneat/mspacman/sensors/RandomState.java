@@ -1,0 +1,131 @@
+package mmneat.mspacman.sensors;
+
+import java.util.ArrayList;
+import java.util.List;
+import mmneat.random.ResumableRandom;
+import pacman.game.internal.MazeGraph;
+
+/** Positions, timers and pills drawn at random: legal for sensors, not necessarily reachable in a game. */
+final class RandomState {
+
+    final int pacMan;
+    final int[] ghostNode = new int[4];
+    final int[] edible = new int[4];
+    final int[] lair = new int[4];
+    final int[] lastMove = new int[4];
+    final long[] pills;
+    final long powerPills;
+    private List<Integer> activePillNodes;
+
+    RandomState(MazeGraph graph, ResumableRandom random) {
+        pacMan = random.nextInt(graph.lair());
+        boolean crowded = random.nextInt(3) == 0;
+        for (int ghost = 0; ghost < 4; ghost++) {
+            placeGhost(ghost, graph, crowded, random);
+        }
+        pills = new long[graph.pillWords()];
+        scatterPills(graph, random);
+        powerPills = random.nextInt(3) == 0 ? 0 : random.nextLong() & (1L << graph.powerPillCount()) - 1;
+    }
+
+    private void placeGhost(int ghost, MazeGraph graph, boolean crowded, ResumableRandom random) {
+        if (random.nextInt(8) == 0) {
+            ghostNode[ghost] = graph.lair();
+            lair[ghost] = 1 + random.nextInt(40);
+            lastMove[ghost] = 4;
+            return;
+        }
+        ghostNode[ghost] = crowded ? nearPacMan(graph, random) : random.nextInt(graph.lair());
+        edible[ghost] = random.nextInt(2) == 0 ? 0 : 1 + random.nextInt(random.nextBoolean() ? 30 : 200);
+        lastMove[ghost] = 4;
+        while (random.nextInt(10) > 0) {
+            int back = random.nextInt(4);
+            if (graph.neighbour(ghostNode[ghost], back) >= 0) {
+                lastMove[ghost] = back ^ 2;
+                return;
+            }
+        }
+    }
+
+    private int nearPacMan(MazeGraph graph, ResumableRandom random) {
+        int node = pacMan;
+        for (int step = random.nextInt(25); step > 0; step--) {
+            int next = graph.neighbour(node, random.nextInt(4));
+            node = next >= 0 ? next : node;
+        }
+        return node;
+    }
+
+    private void scatterPills(MazeGraph graph, ResumableRandom random) {
+        int kind = random.nextInt(5);
+        for (int pill = 0; pill < graph.pillCount(); pill++) {
+            boolean isActive =
+                    switch (kind) {
+                        case 0 -> true;
+                        case 1 -> random.nextBoolean();
+                        case 2 -> random.nextInt(40) == 0;
+                        // A few in a row, as when a level is nearly finished.
+                        case 3 ->
+                            Math.abs(graph.x(graph.pillNode(pill)) - graph.x(pacMan))
+                                            + Math.abs(graph.y(graph.pillNode(pill)) - graph.y(pacMan))
+                                    < 14;
+                        default -> false;
+                    };
+            if (isActive) {
+                pills[pill >> 6] |= 1L << pill;
+            }
+        }
+    }
+
+    boolean isPillActive(int pill) {
+        return pill >= 0 && (pills[pill >> 6] >>> pill & 1) != 0;
+    }
+
+    List<Integer> activePillNodes(MazeGraph graph) {
+        if (activePillNodes == null) {
+            activePillNodes = new ArrayList<>();
+            for (int pill = 0; pill < graph.pillCount(); pill++) {
+                if (isPillActive(pill)) {
+                    activePillNodes.add(graph.pillNode(pill));
+                }
+            }
+        }
+        return activePillNodes;
+    }
+
+    List<Integer> activePowerPillNodes(MazeGraph graph) {
+        List<Integer> nodes = new ArrayList<>();
+        for (int pill = 0; pill < graph.powerPillCount(); pill++) {
+            if ((powerPills >>> pill & 1) != 0) {
+                nodes.add(graph.powerPillNode(pill));
+            }
+        }
+        return nodes;
+    }
+
+    /** Shows the state to sensors. */
+    void show(Senses senses, SensorTables tables) {
+        Situation situation = senses.situation();
+        situation.enter(tables, 0);
+        situation.placePacMan(pacMan);
+        for (int word = 0; word < pills.length; word++) {
+            situation.setPills(word, pills[word]);
+        }
+        situation.setPowerPills(powerPills);
+        for (int ghost = 0; ghost < 4; ghost++) {
+            situation.placeGhost(ghost, ghostNode[ghost], edible[ghost], lair[ghost], lastMove[ghost]);
+        }
+        situation.conclude();
+        senses.senseCommon();
+    }
+
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder("Ms. Pac-Man at " + pacMan + ", ghosts (node, edible, lair, last move)");
+        for (int ghost = 0; ghost < 4; ghost++) {
+            text.append(
+                    " (" + ghostNode[ghost] + ", " + edible[ghost] + ", " + lair[ghost] + ", " + lastMove[ghost] + ")");
+        }
+        return text + ", power pills " + Long.toBinaryString(powerPills);
+    }
+}

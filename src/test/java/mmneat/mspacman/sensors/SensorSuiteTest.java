@@ -1,0 +1,148 @@
+package mmneat.mspacman.sensors;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+import pacman.game.GameRules;
+
+class SensorSuiteTest {
+
+    /** A sensor as a user would write it: manhattan distance to the lair exit, whatever the direction. */
+    public static final class ExitDistance implements Sensor {
+        @Override
+        public String label() {
+            return "Distance to Lair Exit";
+        }
+
+        @Override
+        public boolean isDirectional() {
+            return false;
+        }
+
+        @Override
+        public double sense(Situation situation) {
+            Game game = situation.game();
+            return game.getManhattanDistance(situation.pacManNode(), game.getGhostInitialNodeIndex()) / 200.0;
+        }
+    }
+
+    /** A sensor of a user's that depends on the direction. */
+    public static final class DirectionNumber implements Sensor {
+        @Override
+        public String label() {
+            return "Direction";
+        }
+
+        @Override
+        public double sense(Situation situation) {
+            return situation.direction() / 4.0;
+        }
+    }
+
+    private static SensorSettings everything(List<String> own) {
+        return new SensorSettings(3, true, true, true, true, true, true, 20, true, 200, 10, true, own);
+    }
+
+    private static SensorSettings blendedWith(String... own) {
+        SensorSettings blended = SensorSettings.blended();
+        return new SensorSettings(
+                1,
+                true,
+                true,
+                false,
+                true,
+                false,
+                false,
+                30,
+                true,
+                200,
+                blended.closePowerPillDistance(),
+                true,
+                List.of(own));
+    }
+
+    @Test
+    void publishedSuites_haveTheOriginalsNumberOfInputs() {
+        assertThat(SensorSuite.of(SensorSettings.blended()).size()).isEqualTo(30);
+        assertThat(SensorSuite.of(SensorSettings.imprisoned()).size()).isEqualTo(26);
+    }
+
+    @Test
+    void labels_nameTheDirection_ofDirectionalSensors() {
+        assertThat(SensorSuite.of(SensorSettings.blended()).labels(-1))
+                .startsWith("Bias", "Distance to 0 Nearest Pill in dir -1")
+                .contains("Portion Pill Remaining")
+                .endsWith("Options After Junction in dir -1");
+    }
+
+    @Test
+    void switches_addAndDropSensors() {
+        SensorSettings bare =
+                new SensorSettings(1, false, false, false, false, false, false, 30, false, 200, 10, false, List.of());
+
+        assertThat(SensorSuite.of(bare).size()).isEqualTo(4 + 4 + 2 + 2 + 3);
+        // Bias, pill, power pill, 3 junctions; 8 by name; 4 times (5 plain and 6 by kind); 10 of the whole.
+        assertThat(SensorSuite.of(everything(List.of())).size()).isEqualTo(6 + 8 + 4 * 11 + 10);
+    }
+
+    @Test
+    void ownSensors_areSensedBehindTheOthers_withAndWithoutTheFastForm() {
+        for (boolean fast : new boolean[] {true, false}) {
+            String[] own = {ExitDistance.class.getName(), DirectionNumber.class.getName()};
+            SensorSuite suite = SensorSuite.of(fast ? blendedWith(own) : everything(List.of(own)));
+            Senses senses = suite.newSenses();
+            Game game = new Game(0, GameRules.blended());
+            senses.observe(game);
+            int left = MOVE.LEFT.ordinal();
+
+            double[] inputs = senses.inputs(left);
+            senses.sense(left);
+
+            int size = suite.size();
+            double distance = game.getManhattanDistance(978, 498) / 200.0;
+            assertThat(inputs[size - 2]).isEqualTo(distance);
+            assertThat(inputs[size - 1]).isEqualTo(0.75);
+            double[] expected = Arrays.stream(inputs).map(StrictMath::tanh).toArray();
+            assertThat(Arrays.copyOfRange(senses.activations(), left * size, (left + 1) * size))
+                    .containsExactly(expected);
+        }
+    }
+
+    @Test
+    void nthNearestJunction_isNeverNearerThanTheOneBefore_andTheFirstIsTheNearest() {
+        SensorSuite suite = SensorSuite.of(everything(List.of()));
+        Senses senses = suite.newSenses();
+        senses.observe(new Game(0, GameRules.blended()));
+        Situation situation = senses.situation();
+        situation.face(MOVE.LEFT.ordinal());
+
+        assertThat(situation.nthNearestJunction(0)).isEqualTo(situation.nearestJunction());
+        for (int n = 1; n < 38; n++) {
+            assertThat(situation.nthNearestJunction(n)).isGreaterThanOrEqualTo(situation.nthNearestJunction(n - 1));
+        }
+        assertThat(situation.nthNearestJunction(38)).isEqualTo(-1);
+    }
+
+    @Test
+    void unusableOwnSensor_isReportedByName() {
+        assertThatThrownBy(() -> SensorSuite.of(blendedWith("no.such.Sensor")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("sensor no.such.Sensor: no such class on the class path");
+        assertThatThrownBy(() -> SensorSuite.of(blendedWith("java.lang.String")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("does not implement");
+    }
+
+    @Test
+    void settings_nameParameterValueAndRange() {
+        assertThatThrownBy(() -> new SensorSettings(
+                        1, true, true, false, true, false, false, 100, true, 200, 10, true, List.of()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("smallStepSimDepth must be from 1 to 60, is 100");
+    }
+}
