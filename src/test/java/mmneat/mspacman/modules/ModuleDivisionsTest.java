@@ -11,7 +11,6 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Iterator;
 import java.util.Map;
 import java.util.zip.GZIPInputStream;
 import mmneat.GoldenData;
@@ -57,10 +56,7 @@ class ModuleDivisionsTest {
                 Game game = new Game(0, GameRules.blended());
                 game.setGameState(state.get("state").asText());
                 senses.observe(game);
-                for (Iterator<Map.Entry<String, JsonNode>> modes =
-                                state.get("modes").fields();
-                        modes.hasNext(); ) {
-                    Map.Entry<String, JsonNode> mode = modes.next();
+                for (Map.Entry<String, JsonNode> mode : state.get("modes").properties()) {
                     assertThat(ModuleDivisions.named(mode.getKey()).module(senses.situation()))
                             .as("%s %s", state.get("id").asText(), mode.getKey())
                             .isEqualTo(mode.getValue().asInt());
