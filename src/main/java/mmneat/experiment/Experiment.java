@@ -32,7 +32,7 @@ public final class Experiment {
      */
     public Experiment(ExperimentPlan plan) {
         this.plan = plan;
-        tasks = Tasks.factory(plan);
+        tasks = Tasks.factory(plan.parameters());
         monitors = plan.runs().stream()
                 .map(run -> new RunMonitor(run, System::nanoTime))
                 .toList();

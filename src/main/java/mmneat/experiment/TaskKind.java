@@ -1,6 +1,7 @@
 package mmneat.experiment;
 
 import java.util.List;
+import java.util.Locale;
 
 /** What is evolved. */
 public enum TaskKind {
@@ -28,7 +29,13 @@ public enum TaskKind {
             throw new UserError("task is missing; give it as task=" + String.join("|", published));
         }
         if (published.contains(task)) {
-            return valueOf(task.toUpperCase(java.util.Locale.ROOT));
+            TaskKind kind = valueOf(task.toUpperCase(Locale.ROOT));
+            boolean imprisoned = parameters.flag("imprisonedWhileEdible");
+            if (kind == BLENDED && imprisoned || kind == INTERLEAVED && !imprisoned) {
+                throw new UserError("imprisonedWhileEdible=" + imprisoned + " does not go with task=" + task
+                        + ": it is what makes the difference between blended and interleaved");
+            }
+            return kind;
         }
         if (task.equals(GAME_CLASS)) {
             return parameters.flag("imprisonedWhileEdible") ? INTERLEAVED : BLENDED;
@@ -45,6 +52,6 @@ public enum TaskKind {
 
     /** As it is written in folder names. */
     String label() {
-        return name().toLowerCase(java.util.Locale.ROOT);
+        return name().toLowerCase(Locale.ROOT);
     }
 }

@@ -1,10 +1,18 @@
 package mmneat.experiment;
 
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.function.Supplier;
 import mmneat.evolution.Task;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
+import pacman.game.GhostLocations;
 
 /** Makes the tasks that parameters describe. */
-final class Tasks {
+public final class Tasks {
 
     private Tasks() {}
 
@@ -13,11 +21,44 @@ final class Tasks {
      *
      * @throws UserError if the parameters describe none
      */
-    static Supplier<Task> factory(ExperimentPlan plan) {
-        Parameters parameters = plan.parameters();
+    public static Supplier<Task> factory(Parameters parameters) {
         return switch (TaskKind.of(parameters)) {
+            case BLENDED -> game(parameters, TaskVersion.BLENDED);
+            case INTERLEAVED -> game(parameters, TaskVersion.INTERLEAVED);
+            case ISOLATED -> game(parameters, TaskVersion.ISOLATED);
             case OWN -> OwnTask.factory(parameters.text("task"), parameters.text("jar"), parameters.ofOwnTask());
-            case BLENDED, INTERLEAVED, ISOLATED -> throw new UserError("not yet");
         };
+    }
+
+    private static Supplier<Task> game(Parameters parameters, TaskVersion version) {
+        MsPacManTaskSettings settings = gameSettings(parameters, version);
+        return () -> new MsPacManTask(settings);
+    }
+
+    private static MsPacManTaskSettings gameSettings(Parameters parameters, TaskVersion version) {
+        GhostLocations locations =
+                version == TaskVersion.ISOLATED ? locations(parameters.text("mazePowerPillGhostMapping")) : null;
+        try {
+            return parameters.as(GameParameters.class).settings(version, locations);
+        } catch (IllegalArgumentException e) {
+            throw new UserError(e.getMessage(), e);
+        }
+    }
+
+    private static GhostLocations locations(String file) {
+        if (file.isEmpty()) {
+            throw new UserError(
+                    "the isolated task needs a file of recorded ghost locations, one line for each moment when a"
+                            + " power pill was eaten: maze, power pill, and the nodes of the four ghosts; name it with"
+                            + " mazePowerPillGhostMapping=FILE (docs/files.md says how it is recorded)");
+        }
+        Path path = Path.of(file);
+        try (Reader reader = Files.newBufferedReader(path)) {
+            return GhostLocations.read(file, reader);
+        } catch (IOException e) {
+            throw new UserError("mazePowerPillGhostMapping=" + file + ": cannot be read: " + e.getMessage(), e);
+        } catch (IllegalArgumentException e) {
+            throw new UserError("mazePowerPillGhostMapping=" + e.getMessage(), e);
+        }
     }
 }

@@ -119,10 +119,9 @@ class ExperimentPlanTest {
         assertThatThrownBy(() -> file.requireSame(plan("task=blended").runs().get(0)))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("begun with mu=10 (now 100)");
-        assertThatThrownBy(() -> file.requireSame(plan("task=interleaved", "mu=10", "imprisonedWhileEdible=false")
-                        .runs()
-                        .get(0)))
-                .hasMessageContaining("task=blended (now interleaved)");
+        assertThatThrownBy(() -> file.requireSame(
+                        plan("task=interleaved", "mu=10").runs().get(0)))
+                .hasMessageContainingAll("task=blended (now interleaved)", "imprisonedWhileEdible=false (now true)");
         assertThatCode(() ->
                         file.requireSame(plan("task=blended", "mu=10", "maxGens=300", "threads=1", "base=elsewhere")
                                 .runs()
