@@ -36,6 +36,15 @@ class GenotypeJsonTest {
     }
 
     @Test
+    void exampleOfTheDocumentation_isWrittenAgain_characterForCharacter() throws IOException {
+        String page = Files.readString(Path.of("docs", "genotype-format.md"));
+        int start = page.indexOf("```json\n") + "```json\n".length();
+        String example = page.substring(start, page.indexOf("```", start));
+
+        assertThat(GenotypeJson.write(GenotypeJson.read(example))).isEqualTo(example);
+    }
+
+    @Test
     void genotypeInsideAnotherDocument_readsAsItself() throws IOException {
         JsonMapper mapper =
                 JsonMapper.builder().addModule(GenotypeJson.module()).build();

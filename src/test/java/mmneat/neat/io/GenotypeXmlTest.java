@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.util.regex.Pattern;
 import mmneat.GoldenData;
 import mmneat.neat.Genotype;
 import mmneat.neat.GoldenGenotypes;
@@ -44,9 +45,15 @@ class GenotypeXmlTest {
                 .isEqualTo(withoutSparePlaces(original));
     }
 
-    /** How many spare places a list has depends on how it came to be, and means nothing. */
+    /**
+     * How many spare places a list has depends on how it came to be, and means nothing; and versions of Java differ in the last
+     * digits that they print of a double.
+     */
     private static String withoutSparePlaces(String xml) {
-        return xml.replace("<object />", "").replaceAll("(\"java.lang.Object\" length)=\"\\d+\"", "$1=any");
+        String filled = xml.replace("<object />", "").replaceAll("(\"java.lang.Object\" length)=\"\\d+\"", "$1=any");
+        return Pattern.compile("(?<=type=\"double\" value=\")[^\"]+")
+                .matcher(filled)
+                .replaceAll(number -> Double.toString(Double.parseDouble(number.group())));
     }
 
     @Tag("conformance")
