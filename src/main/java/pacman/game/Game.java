@@ -755,6 +755,14 @@ public final class Game {
         return state.powerPills;
     }
 
+    /**
+     * Node of the nearest pill or power pill present, by path distance; of equally near ones pills before power pills, then
+     * by number. -1 if there is none.
+     */
+    public int nearestPill(int node) {
+        return state.tables.pillOrder().nearest(node, state.pills, state.pillsLeft, state.powerPills);
+    }
+
     // ---- Switches of MM-NEAT's tasks; GameSwitches says what they mean
 
     public void setExitLairEdible(boolean on) {

@@ -9,8 +9,6 @@ import pacman.game.Game;
 /** Ms. Pac-Man heads for the nearest pill or power pill and ignores the ghosts. Source: spec/controllers.md, section 5.5. */
 public class NearestPillPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
 
-    private final PillsByDistance pills = new PillsByDistance();
-
     @Override
     public MOVE getMove(Game game, long timeDue) {
         return decide(game, game.rnd);
@@ -18,6 +16,6 @@ public class NearestPillPacMan extends Controller<MOVE> implements ReadOnlyContr
 
     @Override
     public MOVE decide(Game game, ResumableRandom random) {
-        return pills.moveTowardsNearest(game);
+        return NearestPill.moveTowards(game);
     }
 }

@@ -13,8 +13,6 @@ import pacman.game.GameView;
  */
 public final class NearestPillPacManVS extends Controller<MOVE> {
 
-    private final PillsByDistance pills = new PillsByDistance();
-
     @Override
     public MOVE getMove(Game game, long timeDue) {
         int[] powerPills = game.getActivePowerPillsIndices();
@@ -26,6 +24,6 @@ public final class NearestPillPacManVS extends Controller<MOVE> {
                     Color.YELLOW,
                     game.getShortestPath(blinky, powerPills[0], game.getGhostLastMoveMade(GHOST.BLINKY)));
         }
-        return pills.moveTowardsNearest(game);
+        return NearestPill.moveTowards(game);
     }
 }

@@ -19,8 +19,6 @@ public class StarterPacMan extends NewPacManController implements ReadOnlyContro
 
     private static final GHOST[] GHOSTS = GHOST.values();
 
-    private final PillsByDistance pills = new PillsByDistance();
-
     @Override
     public MOVE getMove(Game game, long timeDue) {
         return decide(game, game.rnd);
@@ -41,7 +39,7 @@ public class StarterPacMan extends NewPacManController implements ReadOnlyContro
         if (prey >= 0) {
             return game.getNextMoveTowardsTarget(position, prey, DM.PATH);
         }
-        return pills.moveTowardsNearest(game);
+        return NearestPill.moveTowards(game);
     }
 
     /** The node of the nearest edible ghost, the first of equals; -1 if no ghost is edible. */

@@ -22,6 +22,7 @@ public final class MazeTables {
     private volatile MazeDistances distances;
     private volatile MazePaths paths;
     private volatile NodeMoves moves;
+    private volatile PillOrder pillOrder;
     private volatile Maze maze;
 
     private MazeTables(MazeGraph graph) {
@@ -102,6 +103,19 @@ public final class MazeTables {
             moves = new NodeMoves(graph);
         }
         return moves;
+    }
+
+    /** Pills in the order of their distance from each node. */
+    public PillOrder pillOrder() {
+        PillOrder known = pillOrder;
+        return known != null ? known : makePillOrder();
+    }
+
+    private synchronized PillOrder makePillOrder() {
+        if (pillOrder == null) {
+            pillOrder = new PillOrder(graph, distances());
+        }
+        return pillOrder;
     }
 
     /** The maze as competition entries see it. */
