@@ -418,16 +418,16 @@ public final class Game {
 
     /** Whether a pill is present; false for a number that the maze does not have. */
     public boolean isPillStillAvailable(int pillIndex) {
-        return isSet("pill", pillIndex, state.graph.pillCount()) && state.hasPill(pillIndex);
+        return isNumber("pill", pillIndex, state.graph.pillCount()) && state.hasPill(pillIndex);
     }
 
     /** Whether a power pill is present; false for a number that the maze does not have. */
     public boolean isPowerPillStillAvailable(int powerPillIndex) {
-        return isSet("power pill", powerPillIndex, state.graph.powerPillCount())
+        return isNumber("power pill", powerPillIndex, state.graph.powerPillCount())
                 && (state.powerPills >>> powerPillIndex & 1) != 0;
     }
 
-    private static boolean isSet(String kind, int number, int count) {
+    private static boolean isNumber(String kind, int number, int count) {
         if (number < 0) {
             throw new IndexOutOfBoundsException(kind + " number " + number + " is negative");
         }
@@ -460,10 +460,14 @@ public final class Game {
         int count = 0;
         for (int word = 0; word < state.pills.length; word++) {
             for (long bits = state.pills[word]; bits != 0; bits &= bits - 1) {
-                nodes[count++] = state.graph.pillNode(64 * word + Long.numberOfTrailingZeros(bits));
+                int pill = 64 * word + Long.numberOfTrailingZeros(bits);
+                // After the last level the maze is the next one already, while the pills are those of the last.
+                if (pill < state.graph.pillCount()) {
+                    nodes[count++] = state.graph.pillNode(pill);
+                }
             }
         }
-        return nodes;
+        return count == nodes.length ? nodes : Arrays.copyOf(nodes, count);
     }
 
     /** Nodes of the power pills that are present, in number order. */

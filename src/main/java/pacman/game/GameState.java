@@ -328,7 +328,7 @@ final class GameState {
     }
 
     boolean hasPill(int pill) {
-        return (pills[pill >> 6] >>> pill & 1) != 0;
+        return pill >> 6 < pills.length && (pills[pill >> 6] >>> pill & 1) != 0;
     }
 
     void removePill(int pill) {

@@ -52,7 +52,7 @@ final class StateText {
         }
         // The maze of the pills, which after the last level is not the one that the index names.
         for (int pill = 0; pill < state.graph.pillCount(); pill++) {
-            text.append(pill >> 6 < state.pills.length && state.hasPill(pill) ? '1' : '0');
+            text.append(state.hasPill(pill) ? '1' : '0');
         }
         text.append(',');
         for (int powerPill = 0; powerPill < state.graph.powerPillCount(); powerPill++) {

@@ -1,6 +1,7 @@
 package pacman.game.internal;
 
 import java.util.EnumMap;
+import java.util.Map;
 import pacman.game.Constants.MOVE;
 
 /**
@@ -66,8 +67,14 @@ public final class Node {
             ways.remove(lastMove.opposite());
         }
         allNeighbourhoods.put(lastMove, ways);
-        allPossibleMoves.put(lastMove, ways.keySet().toArray(new MOVE[0]));
-        allNeighbouringNodes.put(
-                lastMove, ways.values().stream().mapToInt(Integer::intValue).toArray());
+        MOVE[] moves = new MOVE[ways.size()];
+        int[] nodes = new int[ways.size()];
+        int count = 0;
+        for (Map.Entry<MOVE, Integer> way : ways.entrySet()) {
+            moves[count] = way.getKey();
+            nodes[count++] = way.getValue();
+        }
+        allPossibleMoves.put(lastMove, moves);
+        allNeighbouringNodes.put(lastMove, nodes);
     }
 }

@@ -1,0 +1,58 @@
+package pacman.game;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.StringReader;
+import org.junit.jupiter.api.Test;
+
+/** Rules check themselves and say what is wrong. */
+class GameRulesTest {
+
+    @Test
+    void changedCopy_changesNothingElse() {
+        GameRules rules = GameRules.mpmVsGhosts();
+        assertThat(rules.with().build()).isEqualTo(rules);
+        assertThat(rules.with().edibleTime(333).build().edibleTime()).isEqualTo(333);
+        assertThat(rules.with().edibleTime(333).build().with().edibleTime(200).build())
+                .isEqualTo(rules);
+    }
+
+    @Test
+    void valueOutOfRange_isNamed() {
+        assertThatThrownBy(() -> GameRules.blended().with().lives(0).build())
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("lives must be from 1");
+        assertThatThrownBy(() -> GameRules.blended().with().activeGhosts(5).build())
+                .hasMessageStartingWith("activeGhosts must be from 0 to 4, is 5");
+        assertThatThrownBy(() ->
+                        GameRules.blended().with().preEatenPillPortion(1.5).build())
+                .hasMessageStartingWith("preEatenPillPortion must be from 0 to 1, is 1.5");
+        assertThatThrownBy(() -> GameRules.blended().with().initialMaze(4).build())
+                .hasMessageStartingWith("initialMaze must be from 0 to 3, is 4");
+        assertThatThrownBy(() -> GameRules.isolatedGhosts(0, null)).hasMessage("lairExitDatabase needs ghostLocations");
+    }
+
+    @Test
+    void badGhostLocations_areNamedByLine() {
+        assertThatThrownBy(() -> GhostLocations.read("places.txt", new StringReader("0 0 1 2 3 4\n0 0 1 2 x 4\n")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("places.txt:2: not a number");
+        assertThatThrownBy(() -> GhostLocations.read("places.txt", new StringReader("0 0 1 2 3\n")))
+                .hasMessageStartingWith("places.txt:1: expected six integers");
+        assertThatThrownBy(() -> GhostLocations.read("places.txt", new StringReader("0 0 1 2 3 4\n")))
+                .hasMessageContaining("maze 0, power pill 0 has 1 situations, 100 are needed");
+    }
+
+    @Test
+    void ghostLocations_areTheFirstHundredLines() throws IOException {
+        StringBuilder text = new StringBuilder();
+        for (int line = 0; line < 16 * 101; line++) {
+            text.append(line % 16 / 4 + "\t" + line % 4 + "\t" + line / 16 + "\t5\t6\t7\n");
+        }
+        GhostLocations locations = GhostLocations.read("places.txt", new StringReader(text.toString()));
+        assertThat(locations.node(3, 2, 99, 0)).isEqualTo(99);
+        assertThat(locations.node(0, 0, 0, 3)).isEqualTo(7);
+    }
+}
