@@ -1,0 +1,69 @@
+package mmneat.analysis.figures;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import mmneat.analysis.results.Experiment;
+import mmneat.analysis.results.PublishedResults;
+
+/** The paper's Figures 5b, 7b and 8b: each champion's average score against the share of its most-used module. */
+public final class ModuleUseFigure {
+
+    private ModuleUseFigure() {}
+
+    /** The figure, one panel per method; empty if not every champion was evaluated. */
+    public static Optional<Figure> of(String version, List<Experiment> experiments, PublishedResults paper) {
+        if (!experiments.stream().allMatch(Experiment::isEvaluated)) {
+            return Optional.empty();
+        }
+        List<Panel> panels = new ArrayList<>();
+        double low = Double.POSITIVE_INFINITY;
+        double high = 0;
+        boolean published = false;
+        for (int i = 0; i < experiments.size(); i++) {
+            Experiment experiment = experiments.get(i);
+            MethodStyle style = MethodStyle.of(experiment.method(), i);
+            Panel panel = new Panel(
+                    experiment.label(),
+                    "Champion's average score",
+                    i % Figure.COLUMNS == 0 ? "Most-used module, % of steps" : "");
+            List<PublishedResults.Champion> champions = paper.champions(experiment.version(), experiment.method());
+            double[] theirs = champions.stream()
+                    .mapToDouble(PublishedResults.Champion::averageScore)
+                    .toArray();
+            if (theirs.length > 0) {
+                published = true;
+                double[] shares = champions.stream()
+                        .mapToDouble(PublishedResults.Champion::mostUsedModulePercent)
+                        .toArray();
+                panel.points("paper", theirs, shares, new MethodStyle(MethodStyle.PAPER, style.dash(), style.marker()));
+            }
+            double[] scores = experiment.championScores(true);
+            double[] shares = experiment.runs().stream()
+                    .mapToDouble(run -> run.evaluation().orElseThrow().mostUsedModulePercent())
+                    .toArray();
+            panel.points("ours", scores, shares, style);
+            low = Stream.of(scores, theirs).flatMapToDouble(Arrays::stream).reduce(low, Math::min);
+            high = Stream.of(scores, theirs).flatMapToDouble(Arrays::stream).reduce(high, Math::max);
+            panels.add(panel);
+        }
+        double margin = 0.05 * Math.max(1, high - low);
+        for (Panel panel : panels) {
+            panel.range(low - margin, high + margin, 0, 105);
+        }
+        List<Key> keys = published
+                ? List.of(
+                        new Key("ours", Key.Sign.POINT, new Color(0x40, 0x44, 0x4d), null),
+                        new Key("the paper's", Key.Sign.POINT, MethodStyle.PAPER, null))
+                : List.of();
+        return Optional.of(Figure.grid(
+                LearningCurveFigure.prefix(version) + "modules",
+                "Each champion's average score after evolution against the share of time steps in which its most-used"
+                        + " module decided" + LearningCurveFigure.behind(published) + ".",
+                panels,
+                keys));
+    }
+}

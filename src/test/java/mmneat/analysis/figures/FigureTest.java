@@ -1,0 +1,86 @@
+package mmneat.analysis.figures;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.file.Path;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilderFactory;
+import mmneat.analysis.results.Experiment;
+import mmneat.analysis.results.ExperimentFinder;
+import mmneat.analysis.results.PublishedResults;
+import mmneat.analysis.results.RunFixture;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.xml.sax.EntityResolver;
+import org.xml.sax.InputSource;
+
+class FigureTest {
+
+    @TempDir
+    Path base;
+
+    private final PublishedResults paper = PublishedResults.read();
+    private List<Experiment> experiments;
+
+    @BeforeEach
+    void twoMethods() throws IOException {
+        for (int run = 0; run < 3; run++) {
+            RunFixture.evaluation(
+                    RunFixture.run(base, "blended", "1M", run, 1000, 2000 + 100 * run, 3000 - 200 * run),
+                    9000 + run,
+                    10);
+            RunFixture.evaluation(
+                    RunFixture.run(base, "blended", "2M", run, 1500, 2500, 4000 + 300 * run), 15000 + run, 90, 10);
+        }
+        experiments = ExperimentFinder.find(List.of(base.resolve("blended")));
+    }
+
+    @Test
+    void figures_areDrawnAsSvgAndPng_alwaysTheSame() throws Exception {
+        for (Figure figure : List.of(
+                LearningCurveFigure.overview("blended", experiments, paper),
+                LearningCurveFigure.panels("blended", experiments, paper),
+                ModuleUseFigure.of("blended", experiments, paper).orElseThrow())) {
+            String svg = figure.svg();
+            EntityResolver nothingIsFetched = (publicId, systemId) -> new InputSource(new StringReader(""));
+            var parser = DocumentBuilderFactory.newInstance().newDocumentBuilder();
+            parser.setEntityResolver(nothingIsFetched);
+            assertThat(parser.parse(new InputSource(new StringReader(svg)))
+                            .getDocumentElement()
+                            .getTagName())
+                    .isEqualTo("svg");
+            assertThat(figure.svg()).isEqualTo(svg);
+            BufferedImage image = ImageIO.read(new ByteArrayInputStream(figure.png()));
+            assertThat(image.getWidth()).isGreaterThan(1500);
+            assertThat(figure.caption()).contains(PublishedResults.SOURCE);
+        }
+    }
+
+    @Test
+    void names_tellVersionAndKind() {
+        assertThat(LearningCurveFigure.overview("blended", experiments, paper).name())
+                .isEqualTo("blended-medians");
+        assertThat(LearningCurveFigure.panels("", experiments, paper).name()).isEqualTo("curves");
+    }
+
+    @Test
+    void moduleUse_withoutEvaluations_isNoFigure() throws IOException {
+        RunFixture.run(base, "interleaved", "1M", 0, 1, 2);
+        List<Experiment> unevaluated = ExperimentFinder.find(List.of(base.resolve("interleaved")));
+        assertThat(ModuleUseFigure.of("interleaved", unevaluated, paper)).isEmpty();
+    }
+
+    @Test
+    void curvesOfOneGeneration_areDrawn() throws IOException {
+        RunFixture.run(base, "isolated", "MT", 0, 30000);
+        List<Experiment> one = ExperimentFinder.find(List.of(base.resolve("isolated")));
+        assertThat(LearningCurveFigure.panels("isolated", one, paper).svg()).contains("<svg");
+        assertThat(LearningCurveFigure.overview("isolated", one, paper).svg()).contains("<svg");
+    }
+}
