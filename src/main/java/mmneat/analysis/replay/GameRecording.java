@@ -1,0 +1,201 @@
+package mmneat.analysis.replay;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import mmneat.mspacman.DirectionEvaluator;
+import mmneat.mspacman.EvaluationObserver;
+import mmneat.mspacman.GameEnd;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TrialGame;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+import pacman.game.internal.Maze;
+import pacman.game.internal.Node;
+
+/** Records a trial of a network that plays Ms. Pac-Man: one game, or the five games of the isolated version. */
+public final class GameRecording implements EvaluationObserver {
+
+    /**
+     * Details of this many steps are kept in full; of longer games every second, third, ... step, so that the page stays
+     * below 3 MB.
+     */
+    private static final int STEPS_IN_DETAIL = 12_000;
+
+    private static final GHOST[] GHOSTS = GHOST.values();
+    private static final MOVE[] MOVES = MOVE.values();
+
+    private final ReplayRecorder recorder;
+    private final ReplayStep step;
+    private final ShadowNetworks shadow;
+    private Maze maze;
+
+    private GameRecording(MsPacManTaskSettings settings, Genotype genotype, int detailEvery) {
+        ReplayNetwork network = NetworkPicture.of(genotype, SensorNames.of(new MsPacManTask(settings).inputLabels()));
+        recorder = new ReplayRecorder(network, detailEvery);
+        step = new ReplayStep(network);
+        shadow = new ShadowNetworks(settings, genotype);
+    }
+
+    /**
+     * Plays one trial and records it.
+     *
+     * @param settings the rules; the number of trials does not matter
+     * @param seed of the trial's generator: the same seed gives the same games
+     */
+    public static Replay record(MsPacManTaskSettings settings, Genotype genotype, long seed, ReplayTitle title) {
+        MsPacManTask task = new MsPacManTask(settings.withTrials(1));
+        long steps =
+                task.evaluate(genotype, new ResumableRandom(seed)).outcomes().steps();
+        int detailEvery = (int) (1 + steps / STEPS_IN_DETAIL);
+        GameRecording recording = new GameRecording(settings, genotype, detailEvery);
+        task.evaluate(genotype, new ResumableRandom(seed), recording);
+        return recording.recorder.finish(title);
+    }
+
+    @Override
+    public void gameStarted(TrialGame setting, Game game) {
+        recorder.startGame(name(setting));
+        shadow.startGame();
+        capture(game);
+    }
+
+    private static String name(TrialGame setting) {
+        if (setting.name().startsWith("GhostTask")) {
+            int corner = Integer.parseInt(setting.name().substring("GhostTask".length()));
+            return "Ghosts " + (corner + 1);
+        }
+        return setting.name().equals("PillTask") ? "Pills" : setting.name();
+    }
+
+    /** The step is over: what was captured before it was the state in which this decision was made. */
+    @Override
+    public void stepPlayed(Game game, DirectionEvaluator player) {
+        MOVE made = game.getPacmanLastMoveMade();
+        step.choice = ReplayStep.NO_MOVE;
+        for (int d = 0; d < 4; d++) {
+            step.preferences[d] = player.preference(d);
+            step.modules[d] = player.lastModule(d);
+            boolean better = step.open[d]
+                    && (step.choice == ReplayStep.NO_MOVE
+                            || step.preferences[d] > step.preferences[step.choice]
+                            || step.preferences[d] == step.preferences[step.choice] && d == made.ordinal());
+            step.choice = better ? d : step.choice;
+        }
+        step.module = step.choice == ReplayStep.NO_MOVE ? 0 : step.modules[step.choice];
+        recorder.record(step);
+        if (!game.gameOver()) {
+            capture(game);
+        }
+    }
+
+    @Override
+    public void gameOver(TrialGame setting, Game game, GameEnd end, DirectionEvaluator player) {
+        if (game.getCurrentLevel() == step.level) {
+            captureState(game);
+        } else {
+            finishLevel(game);
+        }
+        step.module = -1;
+        step.choice = ReplayStep.NO_MOVE;
+        recorder.record(step);
+        recorder.endGame(outcome(game, end));
+    }
+
+    /** The game is at the start of a level that is never played; the picture stays at the end of the last one. */
+    private void finishLevel(Game game) {
+        step.score = game.getScore();
+        if (step.choice != ReplayStep.NO_MOVE) {
+            step.pacMan = maze.graph[step.pacMan].neighbourhood.getOrDefault(MOVES[step.choice], step.pacMan);
+        }
+        Arrays.fill(step.pills, false);
+        Arrays.fill(step.powerPills, false);
+    }
+
+    private static String outcome(Game game, GameEnd end) {
+        String what =
+                switch (end) {
+                    case ALL_LEVELS_BEATEN -> "All mazes cleared";
+                    case LOST_ALL_LIVES ->
+                        "Caught" + catcher(game).map(g -> " by " + g).orElse("");
+                    case LEVEL_TIME_LIMIT -> "Time for the maze is over";
+                    case GAME_TIME_LIMIT -> "Time for the game is over";
+                };
+        return what + " · " + String.format(java.util.Locale.ROOT, "%,d points", game.getScore());
+    }
+
+    private static Optional<String> catcher(Game game) {
+        int here = game.getPacmanCurrentNodeIndex();
+        GHOST nearest = null;
+        int smallest = Integer.MAX_VALUE;
+        for (GHOST ghost : GHOSTS) {
+            if (game.isGhostEdible(ghost) || game.getGhostLairTime(ghost) > 0) {
+                continue;
+            }
+            int distance = game.getShortestPathDistance(game.getGhostCurrentNodeIndex(ghost), here);
+            if (distance >= 0 && distance < smallest) {
+                smallest = distance;
+                nearest = ghost;
+            }
+        }
+        return Optional.ofNullable(nearest)
+                .map(g -> g.name().charAt(0) + g.name().substring(1).toLowerCase(java.util.Locale.ROOT));
+    }
+
+    private void capture(Game game) {
+        captureState(game);
+        shadow.think(game, step);
+    }
+
+    private void captureState(Game game) {
+        int index = game.getMazeIndex();
+        maze = game.getCurrentMaze();
+        if (!recorder.knowsMaze(index)) {
+            recorder.addMaze(picture(index, maze));
+        }
+        if (step.maze != index || step.pills.length != game.getNumberOfPills()) {
+            step.pills = new boolean[game.getNumberOfPills()];
+            step.powerPills = new boolean[game.getNumberOfPowerPills()];
+        }
+        step.maze = index;
+        step.level = game.getCurrentLevel();
+        step.levelTime = game.getCurrentLevelTime();
+        step.score = game.getScore();
+        step.lives = game.getPacmanNumberOfLivesRemaining();
+        step.pacMan = game.getPacmanCurrentNodeIndex();
+        step.pacManMove = game.getPacmanLastMoveMade().ordinal();
+        for (int i = 0; i < step.pills.length; i++) {
+            step.pills[i] = game.isPillStillAvailable(i);
+        }
+        for (int i = 0; i < step.powerPills.length; i++) {
+            step.powerPills[i] = game.isPowerPillStillAvailable(i);
+        }
+        for (int g = 0; g < GHOSTS.length; g++) {
+            step.ghosts[g] = game.getGhostCurrentNodeIndex(GHOSTS[g]);
+            step.ghostMoves[g] = game.getGhostLastMoveMade(GHOSTS[g]).ordinal();
+            step.edibleTimes[g] = game.getGhostEdibleTime(GHOSTS[g]);
+            step.lairTimes[g] = game.getGhostLairTime(GHOSTS[g]);
+        }
+    }
+
+    private static ReplayMaze picture(int index, Maze maze) {
+        int count = maze.graph.length;
+        int[] x = new int[count];
+        int[] y = new int[count];
+        int[] right = new int[count];
+        int[] down = new int[count];
+        for (Node node : maze.graph) {
+            x[node.nodeIndex] = node.x;
+            y[node.nodeIndex] = node.y;
+            Map<MOVE, Integer> neighbours = new EnumMap<>(node.neighbourhood);
+            right[node.nodeIndex] = neighbours.getOrDefault(MOVE.RIGHT, -1);
+            down[node.nodeIndex] = neighbours.getOrDefault(MOVE.DOWN, -1);
+        }
+        return new ReplayMaze(index, x, y, right, down, maze.pillIndices, maze.powerPillIndices, maze.lairNodeIndex);
+    }
+}

@@ -1,0 +1,67 @@
+package mmneat.analysis.replay;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import mmneat.analysis.replay.ReplayNetwork.Kind;
+import mmneat.neat.Genotype;
+import mmneat.neat.LinkGene;
+
+/** Turns a genotype into the network that the page draws; a hidden node's layer is the longest way to it from an input. */
+final class NetworkPicture {
+
+    private NetworkPicture() {}
+
+    static ReplayNetwork of(Genotype genotype, List<String> inputLabels) {
+        int inputs = genotype.inputs();
+        int count = genotype.nodes().size();
+        Map<Long, Integer> positions = new HashMap<>();
+        for (int i = 0; i < count; i++) {
+            positions.put(genotype.nodes().get(i).innovation(), i);
+        }
+        List<ReplayNetwork.Link> links = new ArrayList<>();
+        for (LinkGene link : genotype.links()) {
+            if (link.active()) {
+                int source = positions.get(link.source());
+                int target = positions.get(link.target());
+                // The order of the nodes decides what a link brings, not the gene's flag: see spec/networks.md, section
+                // 5.
+                links.add(new ReplayNetwork.Link(source, target, link.weight(), target <= source));
+            }
+        }
+        double[] depth = depths(count, links);
+        double deepest = 0;
+        for (int i = inputs; i < genotype.firstOutput(); i++) {
+            deepest = Math.max(deepest, depth[i]);
+        }
+        List<ReplayNetwork.Node> nodes = new ArrayList<>();
+        for (int i = inputs; i < count; i++) {
+            int output = i - genotype.firstOutput();
+            if (output < 0) {
+                nodes.add(new ReplayNetwork.Node(
+                        Kind.HIDDEN, -1, deepest <= 1 ? 0.5 : Math.max(0, depth[i] - 1) / (deepest - 1)));
+            } else {
+                Kind kind = genotype.layout().hasPreferenceNeurons()
+                                && genotype.layout().isPreference(output)
+                        ? Kind.PREFERENCE
+                        : Kind.POLICY;
+                nodes.add(new ReplayNetwork.Node(kind, genotype.layout().moduleOf(output), 1));
+            }
+        }
+        return new ReplayNetwork(inputLabels, nodes, links, genotype.modules());
+    }
+
+    /** Longest way from an input along forward links; nodes stand in activation order. */
+    private static double[] depths(int count, List<ReplayNetwork.Link> links) {
+        double[] depth = new double[count];
+        for (int node = 0; node < count; node++) {
+            for (ReplayNetwork.Link link : links) {
+                if (link.target() == node && !link.recurrent()) {
+                    depth[node] = Math.max(depth[node], depth[link.source()] + 1);
+                }
+            }
+        }
+        return depth;
+    }
+}

@@ -1,0 +1,59 @@
+package mmneat.analysis.replay;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Short names for the sensors, close to the paper's. "Trapped" is 1 if no junction lies between her and the ghost
+ * (spec/mspacman-task.md, section 11).
+ */
+final class SensorNames {
+
+    private static final Pattern DIRECTION = Pattern.compile(" in dir -?\\d+$");
+    private static final Map<Pattern, String> NAMES = names();
+
+    private SensorNames() {}
+
+    private static Map<Pattern, String> names() {
+        Map<Pattern, String> names = new LinkedHashMap<>();
+        names.put(Pattern.compile("Distance to 0 Nearest (\\d+) Closest Ghost"), "Ghost %d distance");
+        names.put(Pattern.compile("(\\d+) Closest Ghost Incoming"), "Ghost %d approaching");
+        names.put(Pattern.compile("(\\d+) Closest Ghost Trapped"), "Ghost %d no way out");
+        names.put(Pattern.compile("(\\d+) Closest Ghost Edible"), "Ghost %d edible");
+        names.put(Pattern.compile("Distance to 0 Nearest Pill"), "Pill distance");
+        names.put(Pattern.compile("Distance to 0 Nearest Power Pill"), "Power pill distance");
+        names.put(Pattern.compile("Distance to 0 Nearest Junction"), "Junction distance");
+        names.put(Pattern.compile("Max Num Pill 30 Steps Ahead"), "Pills in 30 steps");
+        names.put(Pattern.compile("Max Num Junction 30 Steps Ahead"), "Junctions in 30 steps");
+        names.put(Pattern.compile("Portion Power Pill Remaining"), "Power pills left");
+        names.put(Pattern.compile("Portion Pill Remaining"), "Pills left");
+        names.put(Pattern.compile("Portion Edible Ghost Remaining"), "Edible ghosts");
+        names.put(Pattern.compile("\\d Highest Edible Time"), "Edible time");
+        names.put(Pattern.compile("Some Ghost Edible"), "Any ghost edible");
+        names.put(Pattern.compile("All Threats Present"), "All ghosts threaten");
+        names.put(Pattern.compile("Within .* of Power Pill\\?"), "Near a power pill");
+        names.put(Pattern.compile("Options After Junction"), "Ways out at junction");
+        return names;
+    }
+
+    static List<String> of(List<String> labels) {
+        return labels.stream().map(SensorNames::of).toList();
+    }
+
+    private static String of(String label) {
+        String plain = DIRECTION.matcher(label).replaceFirst("");
+        for (Map.Entry<Pattern, String> name : NAMES.entrySet()) {
+            Matcher matcher = name.getKey().matcher(plain);
+            if (matcher.matches()) {
+                // Ghosts are counted from 1, nearest first.
+                return matcher.groupCount() == 0
+                        ? name.getValue()
+                        : String.format(java.util.Locale.ROOT, name.getValue(), Integer.parseInt(matcher.group(1)) + 1);
+            }
+        }
+        return plain;
+    }
+}

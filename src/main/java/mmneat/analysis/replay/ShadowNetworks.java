@@ -1,0 +1,79 @@
+package mmneat.analysis.replay;
+
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.sensors.Senses;
+import mmneat.mspacman.sensors.SensorSuite;
+import mmneat.neat.Genotype;
+import mmneat.neat.network.Network;
+import mmneat.neat.network.NetworkState;
+import mmneat.random.ResumableRandom;
+import pacman.game.Game;
+
+/**
+ * Thinks what the player thinks, with every node of the network, for the picture: the player itself leaves out nodes without
+ * effect and activations that nobody reads. Draws from a generator of its own; only which of two exactly equal modules is
+ * chosen could differ, and that is taken from the player.
+ *
+ * <p>Source of the order of flushing: spec/mspacman-task.md, section 3.1.
+ */
+final class ShadowNetworks {
+
+    private final MsPacManTaskSettings settings;
+    private final Senses senses;
+    private final NetworkState[] states = new NetworkState[4];
+    private final int inputs;
+    private final int nodes;
+    private final boolean multitask;
+    private final ResumableRandom random = new ResumableRandom(0);
+    private int livesBefore = -1;
+
+    ShadowNetworks(MsPacManTaskSettings settings, Genotype genotype) {
+        this.settings = settings;
+        senses = SensorSuite.of(settings.sensors()).newSenses();
+        Network network = Network.compileWithAllNodes(genotype);
+        for (int d = 0; d < states.length; d++) {
+            states[d] = network.newState(settings.arbitration());
+        }
+        inputs = genotype.inputs();
+        nodes = genotype.nodes().size();
+        multitask = genotype.layout().standardMultitask();
+    }
+
+    void startGame() {
+        for (NetworkState state : states) {
+            state.reset();
+        }
+        livesBefore = -1;
+    }
+
+    /** Senses the game before a decision and fills in what the networks make of it. */
+    void think(Game game, ReplayStep step) {
+        flushAfterChange(game);
+        senses.observe(game);
+        for (int d = 0; d < states.length; d++) {
+            step.open[d] = senses.situation().isOpen(d);
+            if (!step.open[d]) {
+                states[d].flush();
+                continue;
+            }
+            System.arraycopy(senses.inputs(d), 0, step.sensors[d], 0, inputs);
+            if (multitask) {
+                states[d].presetModule(settings.division().module(senses.situation()));
+            }
+            states[d].activate(step.sensors[d], random);
+            for (int node = inputs; node < nodes; node++) {
+                step.activations[d][node - inputs] = states[d].nodeActivation(node);
+            }
+        }
+    }
+
+    private void flushAfterChange(Game game) {
+        int lives = game.getPacmanNumberOfLivesRemaining();
+        if (game.getCurrentLevelTime() == 0 || lives < livesBefore) {
+            for (NetworkState state : states) {
+                state.flush();
+            }
+        }
+        livesBefore = lives;
+    }
+}
