@@ -17,10 +17,13 @@ public final class Replay {
 
     private final Map<String, Object> header = new LinkedHashMap<>();
     private final ReplayTitle title;
+    private final int steps;
+    private final int finalScore;
 
     Replay(
             ReplayTitle title,
             int steps,
+            int finalScore,
             int detailEvery,
             int sensorScale,
             int activationScale,
@@ -30,6 +33,8 @@ public final class Replay {
             ReplayNetwork network,
             List<Column> columns) {
         this.title = title;
+        this.steps = steps - 1;
+        this.finalScore = finalScore;
         header.put("heading", title.heading());
         header.put("subtitle", title.subtitle());
         header.put("steps", steps);
@@ -48,6 +53,16 @@ public final class Replay {
 
     public ReplayTitle title() {
         return title;
+    }
+
+    /** Number of steps that were played. */
+    public int steps() {
+        return steps;
+    }
+
+    /** Points at the end of the last game. */
+    public int finalScore() {
+        return finalScore;
     }
 
     /** The recording as JSON; {@code data} is the base64 of the zlib-compressed columns. */

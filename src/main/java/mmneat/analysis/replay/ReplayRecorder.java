@@ -32,6 +32,7 @@ public final class ReplayRecorder {
     private boolean newGame = true;
     private int levelBefore;
     private int steps;
+    private int lastScore;
 
     /**
      * A part of the recording that starts with new pills.
@@ -119,6 +120,7 @@ public final class ReplayRecorder {
         if (steps % detailEvery == 0) {
             recordDetails(step);
         }
+        lastScore = step.score;
         steps++;
     }
 
@@ -150,6 +152,7 @@ public final class ReplayRecorder {
         return new Replay(
                 title,
                 steps,
+                lastScore,
                 detailEvery,
                 SENSOR_SCALE,
                 ACTIVATION_SCALE,

@@ -31,7 +31,7 @@ public final class MethodName {
     }
 
     /** The version of the task, or an empty text for a task of the user's own. */
-    static String version(Map<String, String> parameters) {
+    public static String version(Map<String, String> parameters) {
         String task = parameters.getOrDefault("task", "");
         String name = task.substring(task.lastIndexOf('.') + 1);
         return switch (name) {

@@ -1,16 +1,11 @@
 package mmneat.analysis.results;
 
-import com.fasterxml.jackson.core.type.TypeReference;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
-import com.fasterxml.jackson.dataformat.javaprop.JavaPropsSchema;
 import java.io.IOException;
-import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,9 +13,14 @@ import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
 /**
- * Reads the folder of a run, ours or the original's: the parents log for the champion's scores, the parameters, the evaluation.
+ * Reads the folder of a run, ours or the original's: the champion's scores, the parameters, the evaluation.
  */
 final class RunReader {
+
+    private static final String GENERATIONS = "generations.csv";
+
+    /** Column of the best score in {@link #GENERATIONS}, counted from 1. */
+    private static final int BEST_COLUMN = 2;
 
     private static final String PARENTS_LOG = "_parents_log.txt";
 
@@ -31,34 +31,42 @@ final class RunReader {
 
     /** Whether the folder is that of a run. */
     static boolean isRun(Path folder) {
-        return file(folder, PARENTS_LOG).isPresent();
+        return Files.exists(folder.resolve(GENERATIONS))
+                || file(folder, PARENTS_LOG).isPresent();
     }
 
     static RunResult read(Path folder) {
-        Path log = file(folder, PARENTS_LOG).orElseThrow();
-        Map<String, String> parameters = parameters(folder);
-        return new RunResult(folder, number(folder, parameters), parameters, championScores(log), evaluation(folder));
+        Map<String, String> parameters = RunParameters.read(Optional.of(folder));
+        return new RunResult(
+                folder, number(folder, parameters), parameters, championScores(folder), evaluation(folder));
     }
 
-    private static double[] championScores(Path log) {
-        List<Double> scores = new ArrayList<>();
-        int line = 0;
-        for (String row : lines(log)) {
-            line++;
-            String[] fields = row.split("\t");
+    /** From our own table, or from the log in the original's form, which the original's runs have alone. */
+    private static double[] championScores(Path folder) {
+        Path table = folder.resolve(GENERATIONS);
+        return Files.exists(table)
+                ? column(table, 1, ",", BEST_COLUMN)
+                : column(file(folder, PARENTS_LOG).orElseThrow(), 0, "\t", CHAMPION_SCORE_COLUMN);
+    }
+
+    private static double[] column(Path file, int headerLines, String separator, int column) {
+        List<String> rows = lines(file);
+        double[] scores = new double[Math.max(0, rows.size() - headerLines)];
+        for (int i = 0; i < scores.length; i++) {
+            String[] fields = rows.get(i + headerLines).split(separator);
             try {
-                scores.add(Double.parseDouble(fields[CHAMPION_SCORE_COLUMN - 1]));
+                scores[i] = Double.parseDouble(fields[column - 1]);
             } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
                 throw new UserError(
-                        log + ", line " + line + ": no champion score in column " + CHAMPION_SCORE_COLUMN
-                                + "; is this the log of a Ms. Pac-Man run?",
+                        file + ", line " + (i + headerLines + 1) + ": no champion score in column " + column
+                                + "; is this a file of a finished run?",
                         e);
             }
         }
-        if (scores.isEmpty()) {
-            throw new UserError(log + ": holds no generation yet; wait for the run or leave it out");
+        if (scores.length == 0) {
+            throw new UserError(file + ": holds no generation yet; wait for the run or leave it out");
         }
-        return scores.stream().mapToDouble(Double::doubleValue).toArray();
+        return scores;
     }
 
     private static List<String> lines(Path file) {
@@ -66,23 +74,6 @@ final class RunReader {
             return Files.readAllLines(file, StandardCharsets.UTF_8);
         } catch (IOException e) {
             throw new UserError(file + ": cannot be read: " + e.getMessage(), e);
-        }
-    }
-
-    /** Ours, or the original's, whose lines {@code name:value} are properties as well. */
-    private static Map<String, String> parameters(Path folder) {
-        Path ours = folder.resolve("parameters.properties");
-        Optional<Path> found = Files.exists(ours) ? Optional.of(ours) : file(folder, "_parameters.txt");
-        if (found.isEmpty()) {
-            return Map.of();
-        }
-        try (Reader reader = Files.newBufferedReader(found.get())) {
-            return new JavaPropsMapper()
-                    .readerFor(new TypeReference<Map<String, String>>() {})
-                    .with(JavaPropsSchema.emptySchema().withoutPathSeparator())
-                    .readValue(reader);
-        } catch (IOException e) {
-            throw new UserError(found.get() + ": cannot be read: " + e.getMessage(), e);
         }
     }
 

@@ -1,0 +1,68 @@
+package mmneat.analysis.evaluation;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import mmneat.analysis.results.RunParameters;
+import mmneat.experiment.UserError;
+import mmneat.neat.Genotype;
+import mmneat.neat.io.GenotypeFiles;
+
+/**
+ * A network to evaluate or to watch, and what is known of the run that it is from.
+ *
+ * @param genotype the network
+ * @param file where it was read
+ * @param parameters the parameters of its run; empty if the file stands alone
+ */
+public record Champion(Genotype genotype, Path file, Map<String, String> parameters) {
+
+    /** Where a run keeps its champion: ours, the original's. */
+    private static final List<String> CHAMPION_FILES = List.of("champion.json", "bestPacMan/bestPacMan.xml");
+
+    /**
+     * Reads the champion of a run's folder, or a genotype file, ours or the original's.
+     *
+     * @throws UserError if there is none
+     */
+    public static Champion read(Path path) {
+        Path file = Files.isDirectory(path)
+                ? CHAMPION_FILES.stream()
+                        .map(path::resolve)
+                        .filter(Files::exists)
+                        .findFirst()
+                        .orElseThrow(
+                                () -> new UserError(path + ": there is no champion in this folder (champion.json or"
+                                        + " bestPacMan/bestPacMan.xml)"))
+                : path;
+        if (!Files.exists(file)) {
+            throw new UserError(file + ": there is no such file; give a run's folder or the file of a network");
+        }
+        try {
+            return new Champion(GenotypeFiles.read(file), file, RunParameters.read(runFolder(file)));
+        } catch (IOException e) {
+            throw new UserError(file + ": not the file of a network: " + e.getMessage(), e);
+        }
+    }
+
+    /** The file's folder or one or two above it, whichever has parameters; networks of generations stand in folders of a run. */
+    private static Optional<Path> runFolder(Path file) {
+        return Stream.iterate(file.toAbsolutePath().getParent(), java.util.Objects::nonNull, Path::getParent)
+                .limit(2)
+                .filter(folder -> RunParameters.file(folder).isPresent())
+                .findFirst();
+    }
+
+    /** A name for headings: the folder and file it was read from. */
+    public String name() {
+        Path folder = file.toAbsolutePath().getParent();
+        String fileName = file.getFileName().toString();
+        return fileName.startsWith("champion.json") || fileName.equals("bestPacMan.xml")
+                ? String.valueOf((fileName.equals("bestPacMan.xml") ? folder.getParent() : folder).getFileName())
+                : fileName.replaceFirst("\\.(json|xml)$", "");
+    }
+}

@@ -1,0 +1,67 @@
+package mmneat.analysis.evaluation;
+
+import java.util.Arrays;
+import java.util.List;
+import mmneat.experiment.UserError;
+import pacman.game.Constants;
+import pacman.game.GameRules;
+
+/** The rules under which champions are evaluated (spec/evolution.md, section 6.1). */
+public enum Rules {
+    /** As in evolution: one life. */
+    TRAINING("training"),
+    /** Three lives and an extra one through the four mazes, without a time limit of consequence. */
+    FOUR_MAZE("FourMaze"),
+    /** The competition of 2011: three lives and an extra one, 16 levels of 3000 steps, credit for what is left. */
+    MPM_VS_GHOSTS("MPMvsG");
+
+    private static final int NO_LIMIT_OF_CONSEQUENCE = 50_000;
+
+    private final String label;
+
+    Rules(String label) {
+        this.label = label;
+    }
+
+    /** As users write it. */
+    public String label() {
+        return label;
+    }
+
+    /** All labels. */
+    public static List<String> labels() {
+        return Arrays.stream(values()).map(Rules::label).toList();
+    }
+
+    /** The rules with this label. */
+    public static Rules of(String label) {
+        return Arrays.stream(values())
+                .filter(rules -> rules.label.equalsIgnoreCase(label))
+                .findFirst()
+                .orElseThrow(() -> new UserError("rules=" + label + ": must be one of " + String.join(", ", labels())));
+    }
+
+    /** The training rules changed to these; what makes the version of the task stays. */
+    GameRules from(GameRules training) {
+        return switch (this) {
+            case TRAINING -> training;
+            case FOUR_MAZE ->
+                training.with()
+                        .lives(Constants.NUM_LIVES)
+                        .extraLife(true)
+                        .levelTimeLimit(NO_LIMIT_OF_CONSEQUENCE)
+                        .build();
+            case MPM_VS_GHOSTS -> {
+                GameRules competition = GameRules.mpmVsGhosts();
+                yield training.with()
+                        .lives(competition.lives())
+                        .extraLife(true)
+                        .maximumLevel(competition.maximumLevel())
+                        .levelTimeLimit(competition.levelTimeLimit())
+                        .fatalTimeLimit(competition.fatalTimeLimit())
+                        .creditForRemainingPills(competition.creditForRemainingPills())
+                        .build();
+            }
+        };
+    }
+}
