@@ -15,11 +15,8 @@ import mmneat.mspacman.GameEnd;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TrialGame;
-import mmneat.neat.ActivationFunction;
-import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.InitialNetworks;
-import mmneat.neat.InputSelection;
 import mmneat.neat.ModuleLayout;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
@@ -28,15 +25,14 @@ import pacman.game.Game;
 
 class GameRecordingTest {
 
-    private static final MsPacManTaskSettings BLENDED = MsPacManTaskSettings.blended().withTrials(1);
+    private static final MsPacManTaskSettings BLENDED =
+            MsPacManTaskSettings.blended().withTrials(1);
 
     @TempDir
     Path folder;
 
     private static Genotype network(long seed, ModuleLayout layout) {
-        InitialNetworks networks =
-                new InitialNetworks(30, layout, new InputSelection(false, 1), ActivationFunction.TANH);
-        return networks.example(new ResumableRandom(seed));
+        return new InitialNetworks(30, layout).create(1, new ResumableRandom(seed));
     }
 
     @Test
