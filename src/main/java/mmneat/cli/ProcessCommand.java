@@ -1,0 +1,69 @@
+package mmneat.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.List;
+import mmneat.experiment.ExperimentPlan;
+import mmneat.experiment.ParameterCatalogue;
+import mmneat.experiment.ParameterReader;
+import mmneat.experiment.RunPlan;
+import mmneat.experiment.Tasks;
+import mmneat.experiment.UserError;
+import mmneat.experiment.files.RunSummaries;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Summarises runs as the original's mode of that name does: for those who have scripts for its files. */
+@Command(
+        name = "process",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        customSynopsis = "mmneat process NAME=VALUE...",
+        description = {
+            "Writes the summaries over runs that the original writes, beside the folders of the runs: hypervolumes, logs"
+                    + " averaged over the runs, and gnuplot scripts for them.",
+            "",
+            "The words are those that the runs were made with; runs that have not begun are left out.",
+            "Example: mmneat process task=blended method=2M runs=30",
+            "",
+        })
+final class ProcessCommand implements Runnable {
+
+    @Spec
+    private CommandSpec command;
+
+    @Parameters(arity = "0..*", paramLabel = "NAME=VALUE", description = "What was evolved, and how; see params.")
+    private List<String> words = new ArrayList<>();
+
+    @Override
+    public void run() {
+        ParameterReader.Result read = new ParameterReader(ParameterCatalogue.load()).read(words);
+        ExperimentPlan plan = ExperimentPlan.of(read.parameters());
+        List<Integer> begun = plan.runs().stream()
+                .filter(ProcessCommand::hasBegun)
+                .map(RunPlan::number)
+                .toList();
+        if (begun.isEmpty()) {
+            throw new UserError(plan.runs().get(0).directory()
+                    + ": no run has completed a generation; give the words that the runs were made with");
+        }
+        String saveTo = plan.parameters().text("saveTo");
+        new RunSummaries(
+                        plan.base(),
+                        saveTo,
+                        plan.name(),
+                        Tasks.factory(plan.parameters()).get())
+                .write(begun);
+        PrintWriter out = command.commandLine().getOut();
+        out.println(begun.size() + " of " + plan.runs().size() + " runs summarised in "
+                + plan.base().resolve(plan.name() + "AVG_parents_log.txt") + " and beside it");
+        out.flush();
+    }
+
+    private static boolean hasBegun(RunPlan run) {
+        return Files.exists(run.directory().resolve(run.prefix() + "child_log.txt"));
+    }
+}
