@@ -31,6 +31,7 @@ import picocli.CommandLine.Spec;
             WatchCommand.class,
             NetworkCommand.class,
             PlayCommand.class,
+            ProcessCommand.class,
             ReplayCommand.class,
             SubmitCommand.class
         })

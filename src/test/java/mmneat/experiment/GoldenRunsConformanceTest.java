@@ -54,8 +54,8 @@ class GoldenRunsConformanceTest {
     @Test
     void runSideBySideWithOthers_writesTheOriginalsFiles() throws Exception {
         Path golden = GoldenData.folder("runs").resolve("OneLifeConflict-MMD");
-        Stream<String> allRuns = commandLine(golden)
-                .filter(word -> !word.startsWith("runNumber:") && !word.startsWith("randomSeed:"));
+        Stream<String> allRuns =
+                commandLine(golden).filter(word -> !word.startsWith("runNumber:") && !word.startsWith("randomSeed:"));
         run(Stream.concat(allRuns, Stream.of("runs=3", "threads=3")));
         requireSameFiles(golden);
         assertThat(base.resolve("MMD2/OneLifeConflict-MMD2_parents_log.txt")).isNotEmptyFile();
@@ -68,8 +68,7 @@ class GoldenRunsConformanceTest {
         List<String> others = List.of("randomSeed:3", "maxGens:3", "mu:6", "trials:2", "log:P-MMD");
         List<String> replaced =
                 others.stream().map(word -> word.split(":")[0] + ":").toList();
-        run(Stream.concat(
-                published.filter(word -> replaced.stream().noneMatch(word::startsWith)), others.stream()));
+        run(Stream.concat(published.filter(word -> replaced.stream().noneMatch(word::startsWith)), others.stream()));
         Path folder = base.resolve("MMD0");
         try (Stream<Path> files = Files.list(golden)) {
             files.filter(file -> file.getFileName()
@@ -82,14 +81,14 @@ class GoldenRunsConformanceTest {
         requireSame(folder.resolve("bestPacMan/score.txt"), golden.resolve("bestPacMan_score.txt"));
         requireSame(folder.resolve("bestObjectives/score0.txt"), golden.resolve("bestObjectives_score0.txt"));
         requireSame(folder.resolve("bestObjectives/score1.txt"), golden.resolve("bestObjectives_score1.txt"));
-        requireSame(
-                folder.resolve("combiningCrossoverMapping.txt"), golden.resolve("combiningCrossoverMapping.txt"));
+        requireSame(folder.resolve("combiningCrossoverMapping.txt"), golden.resolve("combiningCrossoverMapping.txt"));
     }
 
     /** The words of the published command, its files found where the golden data are and its results put away here. */
     private Stream<String> commandLine(Path golden) throws IOException {
         Path locations = GoldenData.folder("ghost-locations").resolve("PowerPillToGhostLocationMapping.txt");
-        return Arrays.stream(Files.readString(golden.resolve("command.txt")).strip().split(" "))
+        return Arrays.stream(
+                        Files.readString(golden.resolve("command.txt")).strip().split(" "))
                 .map(word -> word.startsWith("base:") ? "base:" + base : word)
                 .map(word -> word.startsWith("mazePowerPillGhostMapping:")
                         ? "mazePowerPillGhostMapping:" + locations
@@ -99,13 +98,14 @@ class GoldenRunsConformanceTest {
     private static void run(Stream<String> words) throws InterruptedException {
         ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
         ExperimentPlan plan = ExperimentPlan.of(reader.read(words.toList()).parameters());
-        assertThat(new Experiment(plan).run()).allSatisfy(outcome -> assertThat(outcome.isComplete())
-                .as(outcome.message())
-                .isTrue());
+        assertThat(new Experiment(plan).run())
+                .allSatisfy(outcome ->
+                        assertThat(outcome.isComplete()).as(outcome.message()).isTrue());
     }
 
     private void requireSameFiles(Path golden) throws IOException {
-        Path folder = base.resolve(Files.readString(golden.resolve("directory.txt")).strip());
+        Path folder =
+                base.resolve(Files.readString(golden.resolve("directory.txt")).strip());
         for (String part : List.of("files", "bestPacMan", "bestObjectives")) {
             Path ours = part.equals("files") ? folder : folder.resolve(part);
             try (Stream<Path> files = Files.list(golden.resolve(part))) {
