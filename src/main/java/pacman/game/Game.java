@@ -847,7 +847,7 @@ public final class Game {
 
     /** How often one ghost, 0 to 3, was eaten. */
     public int getEatenGhosts(int ghostIndex) {
-        return state.eatenByGhost[ghostIndex];
+        return state.ghosts[GameState.EATEN + ghostIndex];
     }
 
     /** Sum of the multipliers 1, 2, 4, 8 of the ghosts eaten. */

@@ -28,6 +28,8 @@ final class GameState {
     static final int EDIBLE = 4;
     static final int LAIR = 8;
     static final int MOVE = 12;
+    /** Times a ghost was eaten in this game. */
+    static final int EATEN = 16;
 
     /** Switches, as bits of {@link #switches}. */
     static final int EXIT_LAIR_EDIBLE = 1;
@@ -93,7 +95,7 @@ final class GameState {
     int lives;
     boolean extraLifeReceived;
 
-    /** Nodes, edible times, lair times and last moves of the ghosts. */
+    /** Nodes, edible times, lair times, last moves and times eaten of the ghosts. */
     final int[] ghosts;
 
     /**
@@ -128,16 +130,13 @@ final class GameState {
     int powerPillsEatenWhenGhostFar;
     long timeInDeadSpace;
     double lureDistance;
-    /** Times each ghost was eaten. */
-    final int[] eatenByGhost;
 
     GameState(long seed, GameRules rules, int initialMaze, ResumableRandom shared) {
         this.rules = rules;
         this.shared = shared;
         random = new ResumableRandom(seed);
         history = new GameHistory();
-        ghosts = new int[4 * GHOSTS];
-        eatenByGhost = new int[GHOSTS];
+        ghosts = new int[5 * GHOSTS];
         start(initialMaze);
     }
 
@@ -179,7 +178,6 @@ final class GameState {
         powerPillsEatenWhenGhostFar = other.powerPillsEatenWhenGhostFar;
         timeInDeadSpace = other.timeInDeadSpace;
         lureDistance = other.lureDistance;
-        eatenByGhost = other.eatenByGhost.clone();
         if (complete) {
             switches = other.switches;
             timeOfLastPowerPill = other.timeOfLastPowerPill;
@@ -221,7 +219,7 @@ final class GameState {
         improperlyEatenPowerPills = 0;
         powerPillsEatenWhenGhostFar = 0;
         timeInDeadSpace = 0;
-        Arrays.fill(eatenByGhost, 0);
+        Arrays.fill(ghosts, EATEN, EATEN + GHOSTS, 0);
         start(rules.initialMaze());
     }
 

@@ -263,7 +263,7 @@ final class GameStep {
         int[] ghosts = state.ghosts;
         state.score += Constants.GHOST_EAT_SCORE * state.ghostMultiplier;
         state.eatenGhosts++;
-        state.eatenByGhost[ghost]++;
+        ghosts[GameState.EATEN + ghost]++;
         state.ghostReward += state.ghostMultiplier;
         state.timeGhostReward += ghosts[EDIBLE + ghost] * state.ghostMultiplier;
         state.ghostMultiplier *= 2;

@@ -70,8 +70,8 @@ final class StateText {
 
     private static void writeCounters(GameState state, StringBuilder text) {
         append(text, state.random.bits());
-        for (int eaten : state.eatenByGhost) {
-            append(text, eaten);
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            append(text, state.ghosts[GameState.EATEN + ghost]);
         }
         append(
                 text,
@@ -149,7 +149,7 @@ final class StateText {
     private void readCounters(GameState state) {
         state.random.setState(new ResumableRandom.State(Long.parseLong(fields[next++]), false, 0));
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            state.eatenByGhost[ghost] = nextInt();
+            state.ghosts[GameState.EATEN + ghost] = nextInt();
         }
         state.lureDistance = Double.parseDouble(fields[next++]);
         state.timeInDeadSpace = Long.parseLong(fields[next++]);
