@@ -783,8 +783,8 @@ public final class Game {
 
     /** Needs {@link GameRules#ghostLocations} and a starting power pill. */
     public void setLairExitDatabase(boolean on) {
-        if (on && state.rules.ghostLocations() == null) {
-            throw new IllegalStateException("the rules of this game have no ghostLocations");
+        if (on) {
+            state.requireGhostLocations();
         }
         state.set(GameState.LAIR_EXIT_DATABASE, on);
     }

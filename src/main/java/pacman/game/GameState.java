@@ -247,6 +247,9 @@ final class GameState {
     }
 
     private void applySwitches(GameSwitches on) {
+        if (on.lairExitDatabase()) {
+            requireGhostLocations();
+        }
         set(EXIT_LAIR_EDIBLE, on.exitLairEdible());
         set(END_ONLY_ON_TIME_LIMIT, on.endOnlyOnTimeLimit());
         set(RANDOM_LAIR_EXIT, on.randomLairExit());
@@ -259,6 +262,13 @@ final class GameState {
         set(WITHOUT_PILLS, on.withoutPills());
         set(WITHOUT_POWER_PILLS, on.withoutPowerPills());
         set(END_AFTER_POWER_PILLS_EATEN, on.endAfterPowerPillsEaten());
+    }
+
+    /** What {@link GameSwitches#lairExitDatabase} cannot do without. */
+    void requireGhostLocations() {
+        if (rules.ghostLocations() == null || rules.startingPowerPill() < 0) {
+            throw new IllegalArgumentException("lairExitDatabase needs ghostLocations and a startingPowerPill");
+        }
     }
 
     /** Turns a switch on or off; those about pills take away at once what they forbid, and bring nothing back. */

@@ -35,6 +35,15 @@ class GameRulesTest {
     }
 
     @Test
+    void lairExitDatabase_withoutStartingPowerPill_isRefused() {
+        GameRules rules = GameRules.isolatedGhosts(0, GameRecorder.ghostLocations());
+        assertThatThrownBy(() -> new Game(0, rules.with().startingPowerPill(-1).build()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("a startingPowerPill");
+        assertThatThrownBy(() -> new Game(0).setLairExitDatabase(true)).isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
     void badGhostLocations_areNamedByLine() {
         assertThatThrownBy(() -> GhostLocations.read("places.txt", new StringReader("0 0 1 2 3 4\n0 0 1 2 x 4\n")))
                 .isInstanceOf(IllegalArgumentException.class)

@@ -14,7 +14,12 @@ import pacman.game.Constants.MOVE;
 /**
  * A game whose every step becomes a line of a trace file: what recording writes and what replaying compares.
  *
- * <p>Format: golden/traces/README.md, which docs/mazes.md repeats for our own recordings.
+ * <p>A step is a JSON array: her request (U R D L, N neutral, - null); the ghosts' requests in ghost order, "." for no entry,
+ * or "null" for no map; score, total time, level time, level, maze; her node, last move and lives; per ghost node, edible
+ * time, lair time and last move; pills left, CRC-32 of the pills as 0 and 1, the power pills as 0 and 1; time of the last
+ * reversal, points for the next ghost, flags of the step (1 she was eaten, 2 pill, 4 power pill, 8 to 64 ghosts), game over,
+ * ghosts that require an action (-1 after the end), draws from the game's and from the shared generator, and the
+ * situations drawn from the ghost locations, if any.
  */
 final class TracedGame {
 
