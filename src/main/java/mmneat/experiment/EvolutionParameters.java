@@ -22,6 +22,7 @@ record EvolutionParameters(
         int cleanFrequency,
         boolean mating,
         double crossoverRate,
+        String crowding,
         double crossExcessRate,
         int ftype,
         boolean fs,
@@ -55,7 +56,7 @@ record EvolutionParameters(
                 maxGens,
                 cleanFrequency,
                 new InitialNetworks(task.inputs(), layout(task.policyNeuronsPerModule()), selection, activation),
-                new Mating(mating, crossoverRate, Crowding.WHOLE_POPULATION),
+                new Mating(mating, crossoverRate, crowdingOf(crowding)),
                 new VariationSettings(
                         rates(),
                         new ModuleGate(maxModes, usageForNewMode),
@@ -63,6 +64,10 @@ record EvolutionParameters(
                         deleteLeastUsed,
                         selection,
                         activation));
+    }
+
+    private static Crowding crowdingOf(String crowding) {
+        return crowding.equals("front") ? Crowding.PER_FRONT : Crowding.WHOLE_POPULATION;
     }
 
     /** Source: spec/networks.md, section 3.2. */

@@ -34,7 +34,7 @@ class DoubleTextTest {
     @EnabledForJreRange(max = JRE.JAVA_18)
     void anyDouble_hasTheTextOfAnOldJava() {
         ResumableRandom random = new ResumableRandom(11);
-        for (int i = 0; i < 200_000; i++) {
+        for (int i = 0; i < 40_000; i++) {
             requireText(Double.longBitsToDouble(random.nextLong()));
             requireText(random.nextInt(100_000) / (double) (1 + random.nextInt(50)));
             requireText((random.nextInt(2000) - 1000) / 10.0);
@@ -47,7 +47,7 @@ class DoubleTextTest {
     @Test
     void anyDouble_isReadBackAsItself() {
         ResumableRandom random = new ResumableRandom(12);
-        for (int i = 0; i < 100_000; i++) {
+        for (int i = 0; i < 20_000; i++) {
             double value = Double.longBitsToDouble(random.nextLong());
             assertThat(Double.valueOf(DoubleText.of(value))).isEqualTo(Double.valueOf(value));
         }
