@@ -39,7 +39,7 @@ public class ControllerBenchmark {
     private final UntimedRun randomAgainstLegacy = new UntimedRun(random, legacy, UntimedRun.DueTime.ONCE_PER_TICK);
     private final UntimedRun starterAgainstLegacy =
             new UntimedRun(new StarterPacMan(), legacy, UntimedRun.DueTime.ONCE_PER_TICK);
-    private Game game = new Game(0);
+    private final Game game = new Game(0);
 
     /** Random Ms. Pac-Man; built-in controllers need no copies. */
     @Benchmark
@@ -76,7 +76,7 @@ public class ControllerBenchmark {
 
     private void renewGame() {
         if (game.gameOver()) {
-            game = new Game(seeds.nextLong());
+            game.restart(seeds.nextLong());
         }
     }
 }

@@ -39,7 +39,7 @@ class ControllerTest {
     private final Game first = new Game(1);
     private final Game second = new Game(2);
     private final Game third = new Game(3);
-    private Thread supervisor = new Thread(controller);
+    private Thread supervisor;
 
     @AfterEach
     void end() {
@@ -58,6 +58,13 @@ class ControllerTest {
 
     private void awaitComputed() {
         while (!controller.hasComputed()) {
+            Thread.onSpinWait();
+        }
+    }
+
+    /** Until the supervisor has dealt with all updates: what comes too late for it would be seen by the next worker. */
+    private void awaitWaitingSupervisor() {
+        while (supervisor.getState() != Thread.State.WAITING) {
             Thread.onSpinWait();
         }
     }
@@ -81,6 +88,7 @@ class ControllerTest {
         assertThat(nextAsked()).isSameAs(first);
         controller.update(second, 0);
         controller.update(third, 0);
+        awaitWaitingSupervisor();
         controller.allowed.release();
         // A late decision counts as an answer, although newer games have been supplied.
         awaitComputed();
