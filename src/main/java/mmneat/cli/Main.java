@@ -29,6 +29,8 @@ import picocli.CommandLine.Spec;
         subcommands = {
             CompareCommand.class,
             WatchCommand.class,
+            ParamsCommand.class,
+            StatusCommand.class,
             NetworkCommand.class,
             PlayCommand.class,
             ProcessCommand.class,

@@ -65,6 +65,9 @@ public final class Experiment {
      * @throws InterruptedException if the calling thread is interrupted; the runs are then stopped
      */
     public List<RunOutcome> run() throws InterruptedException {
+        if (plan.runs().size() > 1) {
+            recordAsked();
+        }
         int threads = threads();
         boolean splitsRuns = plan.parameters().flag("parallelEvaluations");
         ExecutorService workers = Executors.newFixedThreadPool(
@@ -88,6 +91,14 @@ public final class Experiment {
             throw new IllegalStateException("a run's outcome was lost", e.getCause());
         } finally {
             workers.shutdownNow();
+        }
+    }
+
+    private void recordAsked() {
+        try {
+            ExperimentView.recordAsked(plan);
+        } catch (IOException e) {
+            throw new UserError(plan.base() + ": cannot be written to: " + e.getMessage(), e);
         }
     }
 

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.Optional;
 
 /**
@@ -58,6 +59,11 @@ public record RunStatus(
     void write(Path directory) throws IOException {
         DurableFiles.write(
                 file(directory), JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(this));
+    }
+
+    /** When the status of a run was written last. */
+    static Instant lastWritten(Path directory) throws IOException {
+        return Files.getLastModifiedTime(file(directory)).toInstant();
     }
 
     /** Whether the generations that are wanted are all complete. */

@@ -68,20 +68,20 @@ final class RunWorker {
             return failed(e.getMessage(), null);
         } catch (UncheckedIOException | IOException e) {
             return failed(fileMessage(e), null);
-        } catch (RuntimeException | Error e) {
+        } catch (Exception | Error e) {
             return failed(e.toString(), e);
         }
     }
 
-    private RunOutcome evolveLocked() throws IOException, InterruptedException, RunLock.HeldException {
-        Files.createDirectories(run.directory());
+    private RunOutcome evolveLocked() throws Exception {
+        gate.pass(() -> Files.createDirectories(run.directory()));
         RunLock lock = RunLock.acquire(run.directory(), RunLock.Timing.USUAL);
-        heldLocks.add(lock);
         try {
+            // Listed, it is given back by whoever ends the program; that must not have happened before.
+            gate.pass(() -> heldLocks.add(lock));
             return evolve(lock);
         } catch (RunRecorder.RunStoppedException e) {
-            rethrowCause(e);
-            throw e;
+            throw e.getCause() instanceof Exception cause ? cause : e;
         } finally {
             heldLocks.remove(lock);
             lock.close();
@@ -174,18 +174,5 @@ final class RunWorker {
                 ? cause.getClass().getSimpleName() + ": " + cause.getMessage()
                 : String.valueOf(cause.getMessage());
         return what + "; what was complete is kept: mend it and give the same command again";
-    }
-
-    private static void rethrowCause(RunRecorder.RunStoppedException stopped)
-            throws IOException, InterruptedException, RunLock.HeldException {
-        if (stopped.getCause() instanceof IOException e) {
-            throw e;
-        }
-        if (stopped.getCause() instanceof InterruptedException e) {
-            throw e;
-        }
-        if (stopped.getCause() instanceof RunLock.HeldException e) {
-            throw e;
-        }
     }
 }

@@ -1,0 +1,78 @@
+package mmneat.cli;
+
+import java.io.PrintWriter;
+import java.util.concurrent.Callable;
+import mmneat.experiment.Parameter;
+import mmneat.experiment.ParameterCatalogue;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Lists the parameters, or tells everything about one. */
+@Command(
+        name = "params",
+        mixinStandardHelpOptions = true,
+        description = "Lists all parameters with type, default and meaning; with a name, the details of one.")
+final class ParamsCommand implements Callable<Integer> {
+
+    @Spec
+    private CommandSpec command;
+
+    @Parameters(arity = "0..1", paramLabel = "NAME", description = "A parameter; 'all' lists the unsupported ones too.")
+    private String name = "";
+
+    @Override
+    public Integer call() {
+        ParameterCatalogue catalogue = ParameterCatalogue.load();
+        PrintWriter out = command.commandLine().getOut();
+        if (name.isEmpty() || name.equals("all")) {
+            list(out, catalogue);
+        } else {
+            describe(out, catalogue.require(name));
+        }
+        out.flush();
+        return ExitCode.OK;
+    }
+
+    private void list(PrintWriter out, ParameterCatalogue catalogue) {
+        String group = "";
+        int hidden = 0;
+        for (Parameter parameter : catalogue.all()) {
+            if (parameter.support() != Parameter.Support.YES && !name.equals("all")) {
+                hidden++;
+                continue;
+            }
+            if (!parameter.group().equals(group)) {
+                group = parameter.group();
+                out.println((parameter.isOfOriginal() ? "\n" : "") + group);
+            }
+            out.printf(
+                    "  %-32s %-8s %s%s%n",
+                    parameter.name() + "=" + parameter.defaultValue(),
+                    parameter.type(),
+                    parameter.meaning(),
+                    parameter.support() == Parameter.Support.NO ? " (not supported)" : "");
+        }
+        if (hidden > 0) {
+            out.println("\n" + hidden
+                    + " parameters of the original have no effect or are not supported; 'params all' lists"
+                    + " them too. What stands behind the = is the default; the paper's tasks set others, see configs.");
+        }
+    }
+
+    private static void describe(PrintWriter out, Parameter parameter) {
+        out.println(parameter.name() + " (" + parameter.group() + ")");
+        out.println("  " + parameter.meaning() + ".");
+        out.println("  type      " + parameter.type());
+        out.println("  allowed   " + parameter.allowedInWords());
+        out.println("  default   " + (parameter.defaultValue().isEmpty() ? "(none)" : parameter.defaultValue()));
+        out.println("  support   "
+                + switch (parameter.support()) {
+                    case YES -> "yes";
+                    case IGNORED -> "accepted, without effect";
+                    case NO -> "no: any other value than the default is an error";
+                });
+    }
+}

@@ -1,0 +1,132 @@
+package mmneat.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import mmneat.experiment.ExperimentView;
+import mmneat.experiment.RunStatus;
+import mmneat.experiment.RunView;
+import mmneat.experiment.UserError;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** How far the runs of experiments are, from their files alone; works while they run, on this machine or elsewhere. */
+@Command(
+        name = "status",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Shows how far experiments are, from their files alone.",
+            "Exit code: 0 all runs are finished, 4 some are not yet, 5 some have failed."
+        })
+final class StatusCommand implements Callable<Integer> {
+
+    private static final int UNFINISHED = 4;
+    private static final int FAILED = 5;
+
+    private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("EEE HH:mm", Locale.ROOT);
+
+    @Spec
+    private CommandSpec command;
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "FOLDER",
+            defaultValue = "results",
+            description = "Folder with experiments or runs (default: results).")
+    private Path folder;
+
+    @Override
+    public Integer call() throws IOException {
+        if (!Files.isDirectory(folder)) {
+            throw new UserError(folder + ": there is no such folder");
+        }
+        Instant now = Instant.now();
+        List<ExperimentView> experiments = ExperimentView.readAll(folder, now);
+        if (experiments.isEmpty()) {
+            throw new UserError(folder + ": holds no runs");
+        }
+        PrintWriter out = command.commandLine().getOut();
+        experiments.forEach(experiment -> print(out, experiment, now));
+        out.flush();
+        if (experiments.stream().allMatch(ExperimentView::isFinished)) {
+            return ExitCode.OK;
+        }
+        boolean someFailed = experiments.stream().anyMatch(experiment -> experiment.count(RunView.State.FAILED) > 0);
+        return someFailed ? FAILED : UNFINISHED;
+    }
+
+    private static void print(PrintWriter out, ExperimentView experiment, Instant now) {
+        out.println(experiment.name() + " in " + experiment.base() + ": " + summary(experiment));
+        out.printf(
+                Locale.ROOT, "  %5s  %-11s  %10s  %9s  %9s  %s%n", "run", "state", "generation", "best", "median", "");
+        for (RunView run : experiment.runs()) {
+            RunStatus status = run.status();
+            out.printf(
+                    Locale.ROOT,
+                    "  %5d  %-11s  %10s  %9s  %9s  %s%n",
+                    run.number(),
+                    run.state().name().toLowerCase(Locale.ROOT),
+                    status == null ? "" : status.generation() + "/" + status.generations(),
+                    status == null || Double.isNaN(status.best()) ? "" : Texts.score(status.best()),
+                    status == null || Double.isNaN(status.median()) ? "" : Texts.score(status.median()),
+                    details(run, now));
+        }
+        out.println();
+    }
+
+    private static String summary(ExperimentView experiment) {
+        StringBuilder summary = new StringBuilder(experiment.count(RunView.State.FINISHED) + " of "
+                + experiment.runs().size() + " finished");
+        for (RunView.State state : List.of(
+                RunView.State.RUNNING, RunView.State.INTERRUPTED, RunView.State.FAILED, RunView.State.WAITING)) {
+            if (experiment.count(state) > 0) {
+                summary.append(", ")
+                        .append(experiment.count(state))
+                        .append(' ')
+                        .append(state.name().toLowerCase(Locale.ROOT));
+            }
+        }
+        experiment.best().ifPresent(run -> summary.append("; champions: best ")
+                .append(Texts.score(run.status().best()))
+                .append(" (run ")
+                .append(run.number())
+                .append("), median ")
+                .append(Texts.score(experiment.medianChampion())));
+        return summary.toString();
+    }
+
+    private static String details(RunView run, Instant now) {
+        return switch (run.state()) {
+            case RUNNING -> running(run, now);
+            case FAILED -> String.valueOf(run.status().message());
+            case INTERRUPTED -> "continued by the same command";
+            case FINISHED, WAITING -> "";
+        };
+    }
+
+    private static String running(RunView run, Instant now) {
+        StringBuilder details = new StringBuilder();
+        if (run.status() != null && run.status().stepsPerSecond() > 0) {
+            details.append(Texts.rate(run.status().stepsPerSecond())).append(", ");
+        }
+        details.append("heard of ")
+                .append(Texts.duration(Duration.between(run.signOfLife(), now).abs()))
+                .append(" ago");
+        if (run.estimatedEnd() != null) {
+            details.append(", done about ")
+                    .append(CLOCK.format(run.estimatedEnd().atZone(ZoneId.systemDefault())));
+        }
+        return details.toString();
+    }
+}
