@@ -2,11 +2,12 @@ package mmneat.experiment;
 
 import com.fasterxml.jackson.annotation.JsonPropertyOrder;
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Map;
+import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import mmneat.evolution.EvolutionState;
@@ -25,16 +26,16 @@ record Checkpoint(String format, int version, SortedMap<String, Long> logs, Evol
 
     private static final String FORMAT = "mmneat-checkpoint";
     private static final int VERSION = 1;
-    private static final ObjectMapper JSON = JsonMapper.builder()
-            .addModule(GenotypeJson.module())
-            .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
-            .build();
+    private static final ObjectMapper JSON =
+            JsonMapper.builder().addModule(GenotypeJson.module()).build();
 
     Checkpoint {
-        if (!format.equals(FORMAT) || version != VERSION) {
+        if (!FORMAT.equals(format) || version != VERSION) {
             throw new IllegalArgumentException(
                     "must be " + FORMAT + " version " + VERSION + ", is " + format + " version " + version);
         }
+        Objects.requireNonNull(logs, "logs");
+        Objects.requireNonNull(evolution, "evolution");
     }
 
     static Checkpoint of(EvolutionState evolution, Map<String, Long> logs) {
@@ -49,8 +50,20 @@ record Checkpoint(String format, int version, SortedMap<String, Long> logs, Evol
         }
     }
 
-    /** @throws IOException if it is no checkpoint of this version; the message says why */
-    static Checkpoint fromJson(byte[] json) throws IOException {
-        return JSON.readValue(json, Checkpoint.class);
+    /**
+     * Reads what {@link #toJson} wrote.
+     *
+     * @param source the run's folder, for error messages
+     * @throws UserError if it is no checkpoint of this version
+     */
+    static Checkpoint fromJson(byte[] json, Path source) throws IOException {
+        try {
+            return JSON.readValue(json, Checkpoint.class);
+        } catch (JsonProcessingException e) {
+            throw new UserError(
+                    source + ": its checkpoint is not one of this version of the program (" + e.getOriginalMessage()
+                            + "); continue with the version that began the run, or delete the folder to start it again",
+                    e);
+        }
     }
 }

@@ -120,7 +120,7 @@ final class RunWorker {
             files.begin(initial);
             return initial;
         }
-        Checkpoint last = Checkpoint.fromJson(saved.get());
+        Checkpoint last = Checkpoint.fromJson(saved.get(), run.directory());
         folder.cutTo(last.logs());
         return last.evolution();
     }

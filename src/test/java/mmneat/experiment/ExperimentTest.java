@@ -98,9 +98,9 @@ class ExperimentTest {
     void otherParameters_inABegunFolder_areAMistake_andNothingIsTouched() throws Exception {
         run("base", "maxGens=2");
         Map<String, String> before = content(folder.resolve("base/1M0"));
-        assertThatThrownBy(() -> run("base", "maxGens=3", "mu=7", "runs=2"))
+        assertThatThrownBy(() -> run("base", "maxGens=3", "crossoverRate=0.3", "runs=2"))
                 .isInstanceOf(UserError.class)
-                .hasMessageContaining("begun with mu=6 (now 7)");
+                .hasMessageContaining("begun with crossoverRate=0.5 (now 0.3)");
         assertThat(content(folder.resolve("base/1M0"))).isEqualTo(before);
         assertThat(folder.resolve("base/1M1")).doesNotExist();
     }
@@ -125,7 +125,7 @@ class ExperimentTest {
             Experiment experiment = new Experiment(plan("halted", "maxGens=12", "method=MMD"));
             Future<List<RunOutcome>> running = other.submit(experiment::run);
             // Halts a little later in each session; wherever that is, the next one has to go on.
-            long end = System.nanoTime() + session * 4_000_000L;
+            long end = System.nanoTime() + session * session * 2_000_000L;
             while (System.nanoTime() < end) {
                 Thread.onSpinWait();
             }
