@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
         description = "Modular Multiobjective NEAT for Ms. Pac-Man.",
         subcommands = {
             CompareCommand.class,
+            EvaluateCommand.class,
             WatchCommand.class,
             ParamsCommand.class,
             StatusCommand.class,

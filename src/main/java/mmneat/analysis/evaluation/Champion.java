@@ -17,9 +17,10 @@ import mmneat.neat.io.GenotypeFiles;
  *
  * @param genotype the network
  * @param file where it was read
+ * @param runFolder the folder of its run; empty if the file stands alone
  * @param parameters the parameters of its run; empty if the file stands alone
  */
-public record Champion(Genotype genotype, Path file, Map<String, String> parameters) {
+public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters) {
 
     /** Where a run keeps its champion: ours, the original's. */
     private static final List<String> CHAMPION_FILES = List.of("champion.json", "bestPacMan/bestPacMan.xml");
@@ -43,7 +44,8 @@ public record Champion(Genotype genotype, Path file, Map<String, String> paramet
             throw new UserError(file + ": there is no such file; give a run's folder or the file of a network");
         }
         try {
-            return new Champion(GenotypeFiles.read(file), file, RunParameters.read(runFolder(file)));
+            Optional<Path> folder = runFolder(file);
+            return new Champion(GenotypeFiles.read(file), file, folder, RunParameters.read(folder));
         } catch (IOException e) {
             throw new UserError(file + ": not the file of a network: " + e.getMessage(), e);
         }
@@ -55,6 +57,11 @@ public record Champion(Genotype genotype, Path file, Map<String, String> paramet
                 .limit(2)
                 .filter(folder -> RunParameters.file(folder).isPresent())
                 .findFirst();
+    }
+
+    /** The file of the run's parameters. */
+    public Optional<Path> parametersFile() {
+        return runFolder.flatMap(RunParameters::file);
     }
 
     /** A name for headings: the folder and file it was read from. */

@@ -1,14 +1,19 @@
 package mmneat.analysis.evaluation;
 
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import mmneat.analysis.results.MethodName;
+import mmneat.experiment.ParameterCatalogue;
+import mmneat.experiment.ParameterReader;
+import mmneat.experiment.Tasks;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
-import mmneat.mspacman.modules.ModuleDivisions;
 import mmneat.neat.Genotype;
-import pacman.game.GhostLocations;
 
-/** Finds out how a champion senses and plays: its version of the task, its division of modules, the rules wanted. */
+/** Finds out how a champion senses and plays: from the parameters of its run, or from the published ones of a version. */
 public final class PlayerSettings {
 
     private static final int BLENDED_INPUTS = 30;
@@ -19,44 +24,47 @@ public final class PlayerSettings {
      * The settings for a champion, one trial per evaluation.
      *
      * @param version blended, interleaved or isolated; if empty, that of the champion's run or what its inputs say
-     * @param locations where ghosts stand in the isolated version
+     * @param ghostLocations file of ghost locations for the isolated version, if not that of the run
      * @throws UserError if the network does not suit the version
      */
     public static MsPacManTaskSettings of(
-            Champion champion, Optional<String> version, Rules rules, Optional<GhostLocations> locations) {
-        Genotype genotype = champion.genotype();
-        String name = version.orElseGet(() -> version(champion));
-        MsPacManTaskSettings published =
-                switch (name) {
-                    case "blended" -> MsPacManTaskSettings.blended();
-                    case "interleaved" -> MsPacManTaskSettings.interleaved();
-                    default ->
-                        MsPacManTaskSettings.isolated(
-                                locations.orElseThrow(
-                                        () -> new UserError(
-                                                "the isolated version needs recorded ghost locations; name the file with ghosts=FILE")));
-                };
-        int sensors = new mmneat.mspacman.MsPacManTask(published).inputs();
-        if (sensors != genotype.inputs()) {
-            throw new UserError(champion.file() + ": the network has " + genotype.inputs() + " inputs, but the " + name
-                    + " version has " + sensors + " sensors; give the version with task=blended, for example");
+            Champion champion, Optional<String> version, Rules rules, Optional<Path> ghostLocations) {
+        List<String> words = new ArrayList<>();
+        if (champion.parametersFile().isPresent() && version.isEmpty()) {
+            words.add("config=" + champion.parametersFile().get());
+        } else {
+            String task = version.orElseGet(() -> version(champion));
+            words.add("task=" + task);
+            words.add("method=" + method(champion.genotype(), task));
         }
-        MsPacManTaskSettings divided = genotype.layout().standardMultitask()
-                ? published.withDivision(ModuleDivisions.named(division(champion, name)))
-                : published;
+        ghostLocations.ifPresent(file -> words.add("mazePowerPillGhostMapping=" + file));
+        var parameters =
+                new ParameterReader(ParameterCatalogue.load()).read(words).parameters();
+        if (!(Tasks.factory(parameters).get() instanceof MsPacManTask task)) {
+            throw new UserError(champion.file() + ": was not evolved to play Ms. Pac-Man");
+        }
+        if (task.inputs() != champion.genotype().inputs()) {
+            throw new UserError(champion.file() + ": the network has "
+                    + champion.genotype().inputs() + " inputs, but this version of the task has " + task.inputs()
+                    + " sensors; name the right one with task=blended, interleaved or isolated");
+        }
+        return withRules(task.settings(), rules);
+    }
+
+    private static MsPacManTaskSettings withRules(MsPacManTaskSettings settings, Rules rules) {
         return new MsPacManTaskSettings(
-                divided.version(),
+                settings.version(),
                 1,
-                rules.from(divided.rules()),
-                divided.sensors(),
-                divided.division(),
-                divided.arbitration(),
-                divided.ghosts(),
-                divided.deterministic());
+                rules.from(settings.rules()),
+                settings.sensors(),
+                settings.division(),
+                settings.arbitration(),
+                settings.ghosts(),
+                settings.deterministic());
     }
 
     /** The version that a champion was evolved in. */
-    public static String version(Champion champion) {
+    private static String version(Champion champion) {
         String version = MethodName.version(champion.parameters());
         if (!version.isEmpty()) {
             return version;
@@ -64,14 +72,11 @@ public final class PlayerSettings {
         return champion.genotype().inputs() == BLENDED_INPUTS ? "blended" : "interleaved";
     }
 
-    private static String division(Champion champion, String version) {
-        String saved = champion.parameters().get("pacmanMultitaskScheme");
-        if (saved != null && !saved.isEmpty()) {
-            return saved;
+    /** Of the method only the division of a multitask network matters here. */
+    private static String method(Genotype genotype, String version) {
+        if (!genotype.layout().standardMultitask()) {
+            return "1M";
         }
-        return switch (version) {
-            case "isolated" -> "AnyPills";
-            default -> champion.genotype().modules() == 2 ? "AnyGhostEdible" : "GhostThreatEdibleOrBoth";
-        };
+        return version.equals("blended") ? "MT" + genotype.modules() : "MT";
     }
 }

@@ -1,0 +1,177 @@
+package mmneat.analysis.evaluation;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicLong;
+import mmneat.analysis.results.ChampionEvaluation;
+import mmneat.analysis.results.EvaluationFiles;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.neat.Genotype;
+import mmneat.neat.io.GenotypeJson;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Lets champions play many games on all cores.
+ *
+ * <p>Every game has a generator of its own, whose seed is the game's number-th draw from a generator with the evaluation's
+ * seed: the result is the same for any number of threads, and any game can be played again alone. Games are played in blocks;
+ * blocks are written in order.
+ */
+public final class ChampionEvaluator implements AutoCloseable {
+
+    private static final int BLOCK = 20;
+
+    private final Rules rules;
+    private final int games;
+    private final long seed;
+    private final ExecutorService threads;
+    private final AtomicLong played = new AtomicLong();
+
+    /**
+     * An evaluator.
+     *
+     * @param games games per champion, at least 1
+     * @param threads games that are played at the same time
+     */
+    public ChampionEvaluator(Rules rules, int games, long seed, int threads) {
+        this.rules = rules;
+        this.games = games;
+        this.seed = seed;
+        this.threads = Executors.newFixedThreadPool(threads, task -> {
+            Thread thread = new Thread(task, "evaluation");
+            thread.setDaemon(true);
+            return thread;
+        });
+    }
+
+    /** Games played so far by this evaluator, by all threads; those found on disk are not counted. */
+    public long played() {
+        return played.get();
+    }
+
+    /** A champion that is being evaluated. */
+    private final class Job {
+        private final Path table;
+        private final Path summary;
+        private final EvaluationFile file;
+        private final List<GameResult> results;
+        private final List<Future<List<GameResult>>> blocks = new ArrayList<>();
+
+        Job(Champion champion, MsPacManTaskSettings settings) {
+            Path folder = champion.file().toAbsolutePath().getParent();
+            String prefix = champion.runFolder().isPresent() && isOfRun(champion) ? "" : champion.name() + "-";
+            Path place = prefix.isEmpty() ? champion.runFolder().get() : folder;
+            table = place.resolve(prefix + EvaluationFiles.games(rules.label()));
+            summary = place.resolve(prefix + EvaluationFiles.summary(rules.label()));
+            file = new EvaluationFile(table);
+            long[] seeds = seeds();
+            results = new ArrayList<>(file.begin(title(champion, settings), seeds));
+            for (int first = results.size(); first < games; first += BLOCK) {
+                int from = first;
+                int to = Math.min(games, first + BLOCK);
+                blocks.add(threads.submit(() -> play(settings, champion.genotype(), seeds, from, to)));
+            }
+        }
+
+        /** The champion of the run, not some other network in its folder. */
+        private boolean isOfRun(Champion champion) {
+            String name = champion.file().getFileName().toString();
+            return name.equals("champion.json") || name.equals("bestPacMan.xml");
+        }
+
+        private String title(Champion champion, MsPacManTaskSettings settings) {
+            int fingerprint = GenotypeJson.write(champion.genotype()).hashCode();
+            return "# evaluation of network " + champion.genotype().id() + " (" + Integer.toHexString(fingerprint)
+                    + "), "
+                    + settings.version().name().toLowerCase(java.util.Locale.ROOT) + " task, " + rules.label()
+                    + " rules, seed " + seed;
+        }
+
+        ChampionEvaluation finish() throws InterruptedException {
+            for (Future<List<GameResult>> block : blocks) {
+                List<GameResult> done = get(block);
+                file.append(done);
+                results.addAll(done);
+            }
+            ChampionEvaluation evaluation = EvaluationSummary.of(rules, results);
+            try {
+                Path unfinished = summary.resolveSibling(summary.getFileName() + ".new");
+                new ObjectMapper().writerWithDefaultPrettyPrinter().writeValue(unfinished.toFile(), evaluation);
+                Files.move(
+                        unfinished,
+                        summary,
+                        java.nio.file.StandardCopyOption.REPLACE_EXISTING,
+                        java.nio.file.StandardCopyOption.ATOMIC_MOVE);
+            } catch (IOException e) {
+                throw new UserError(summary + ": cannot be written: " + e.getMessage(), e);
+            }
+            return evaluation;
+        }
+    }
+
+    private List<GameResult> play(MsPacManTaskSettings settings, Genotype genotype, long[] seeds, int from, int to) {
+        GamePlayer player = new GamePlayer(settings, genotype);
+        List<GameResult> results = new ArrayList<>();
+        for (int game = from; game < to; game++) {
+            results.add(player.play(game, seeds[game]));
+            played.incrementAndGet();
+        }
+        return results;
+    }
+
+    private long[] seeds() {
+        ResumableRandom random = new ResumableRandom(seed);
+        long[] seeds = new long[games];
+        for (int game = 0; game < games; game++) {
+            seeds[game] = random.nextLong();
+        }
+        return seeds;
+    }
+
+    private static List<GameResult> get(Future<List<GameResult>> block) throws InterruptedException {
+        try {
+            return block.get();
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("a game failed", e.getCause());
+        }
+    }
+
+    /**
+     * A champion and how it plays.
+     *
+     * @param champion the network
+     * @param settings from {@link PlayerSettings}, with the rules of this evaluation
+     */
+    public record Entry(Champion champion, MsPacManTaskSettings settings) {}
+
+    /**
+     * Evaluates champions and writes the table and the summary of each beside it: into the run's folder, or beside a file that
+     * stands alone. What an earlier evaluation with the same seed left is kept.
+     *
+     * @return one evaluation per entry
+     */
+    public List<ChampionEvaluation> evaluate(List<Entry> entries) throws InterruptedException {
+        List<Job> jobs = entries.stream()
+                .map(entry -> new Job(entry.champion(), entry.settings()))
+                .toList();
+        List<ChampionEvaluation> evaluations = new ArrayList<>();
+        for (Job job : jobs) {
+            evaluations.add(job.finish());
+        }
+        return evaluations;
+    }
+
+    @Override
+    public void close() {
+        threads.shutdownNow();
+    }
+}

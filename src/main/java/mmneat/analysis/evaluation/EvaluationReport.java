@@ -1,0 +1,214 @@
+package mmneat.analysis.evaluation;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import mmneat.evolution.Evaluation;
+import mmneat.evolution.SampleStatistics;
+import mmneat.experiment.UserError;
+import mmneat.experiment.files.DoubleText;
+import mmneat.mspacman.DirectionEvaluator;
+import mmneat.mspacman.EvaluationObserver;
+import mmneat.mspacman.GameEnd;
+import mmneat.mspacman.ModuleUse;
+import mmneat.mspacman.ModuleUse.When;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TrialGame;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+import pacman.game.Game;
+
+/**
+ * The original's eval report: one evaluation of many trials, drawn from the run's seed like the original, trial by trial, with
+ * module use per direction.
+ *
+ * <p>Source: spec/evolution.md, section 6.2.
+ */
+public final class EvaluationReport implements EvaluationObserver {
+
+    private static final String PARENTS_LOG = "_parents_log.txt";
+    private static final List<String> DIRECTIONS = List.of("UP", "RIGHT", "DOWN", "LEFT");
+
+    private final MsPacManTask task;
+    private final Genotype genotype;
+    private final ModuleUse total;
+    private final List<double[]> objectives = new ArrayList<>();
+    private final List<double[]> otherScores = new ArrayList<>();
+    private final StringBuilder text = new StringBuilder();
+
+    private EvaluationReport(MsPacManTask task, Genotype genotype) {
+        this.task = task;
+        this.genotype = genotype;
+        total = new ModuleUse(genotype.modules());
+    }
+
+    /**
+     * Evaluates a champion and writes the report into its run's folder, under the original's name.
+     *
+     * @param games number of trials
+     * @return the file
+     */
+    public static Path write(Champion champion, MsPacManTaskSettings settings, int games) {
+        Path folder = champion.runFolder()
+                .orElseThrow(
+                        () -> new UserError(champion.file() + ": stands alone; the original's report draws from the"
+                                + " seed of a run and is written into its folder"));
+        String seed = champion.parameters().getOrDefault("randomSeed", "0");
+        Path file =
+                folder.resolve(prefix(folder) + "Eval-Net" + champion.genotype().id() + "_log.txt");
+        try {
+            Files.writeString(file, of(settings, champion.genotype(), games, Long.parseLong(seed)));
+        } catch (IOException e) {
+            throw new UserError(file + ": cannot be written: " + e.getMessage(), e);
+        }
+        return file;
+    }
+
+    /** What the names of the run's logs begin with. */
+    private static String prefix(Path folder) {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.endsWith(PARENTS_LOG))
+                    .map(name -> name.substring(0, name.length() - PARENTS_LOG.length() + 1))
+                    .findFirst()
+                    .orElse("");
+        } catch (IOException e) {
+            throw new UserError(folder + ": cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * The text of a report.
+     *
+     * @param seed of the generator that all games draw from
+     */
+    static String of(MsPacManTaskSettings settings, Genotype genotype, int games, long seed) {
+        MsPacManTask task = new MsPacManTask(settings.withTrials(games));
+        EvaluationReport report = new EvaluationReport(task, genotype);
+        Evaluation evaluation = task.evaluate(genotype, new ResumableRandom(seed), report);
+        report.summary(evaluation);
+        return report.text.toString();
+    }
+
+    @Override
+    public void trialStarted(int trial) {
+        line("Eval " + trial + ":");
+    }
+
+    @Override
+    public void levelFinished(int level, int maze) {
+        line("Level " + level + "/Maze " + maze);
+    }
+
+    @Override
+    public void gameOver(TrialGame setting, Game game, GameEnd end, DirectionEvaluator player) {
+        line(
+                switch (end) {
+                    case ALL_LEVELS_BEATEN -> "All Levels Beaten";
+                    case LOST_ALL_LIVES -> "Lost All Lives";
+                    case LEVEL_TIME_LIMIT -> "Level Time Limit Reached\n\nNULL Move = Special Termination Request";
+                    case GAME_TIME_LIMIT -> "Time Limit Reached";
+                });
+        line("");
+        ModuleUse use = player.moduleUse();
+        total.add(use);
+        line("Network Info");
+        line("\tNum Nodes: " + genotype.nodes().size());
+        line("\tNum Modes: " + genotype.modules());
+        line("\tNum Outputs: " + genotype.outputs());
+        line("\tNeurons Per Mode: " + genotype.layout().policyNeuronsPerModule());
+        line("\tTime Steps: " + use.decisions());
+        chosenDirection(use);
+        for (int d = 0; d < DIRECTIONS.size(); d++) {
+            network(d, use);
+        }
+        line("");
+    }
+
+    private void chosenDirection(ModuleUse use) {
+        String of = " For Chosen Direction Networks: ";
+        line("\tMode Usage" + of + counts(use.ofChosenDirection(When.ALL)));
+        line("\tMode Usage At Junctions" + of + counts(use.ofChosenDirection(When.AT_JUNCTION)));
+        line("\tEdible Mode Usage" + of + counts(use.ofChosenDirection(When.EDIBLE)));
+        line("\tThreat Mode Usage" + of + counts(use.ofChosenDirection(When.THREAT)));
+        line("\tEdible Mode Usage At Junctions" + of + counts(use.ofChosenDirection(When.EDIBLE_AT_JUNCTION)));
+        line("\tThreat Mode Usage At Junctions" + of + counts(use.ofChosenDirection(When.THREAT_AT_JUNCTION)));
+    }
+
+    private void network(int direction, ModuleUse use) {
+        line("\t" + DIRECTIONS.get(direction) + " Network:");
+        line("\t\tMode Usage: " + counts(use.ofNetwork(direction, When.ALL)));
+        line("\t\tEdible Mode Usage: " + counts(use.ofNetwork(direction, When.EDIBLE)));
+        line("\t\tThreat Mode Usage: " + counts(use.ofNetwork(direction, When.THREAT)));
+        line("\t\tJunction Mode Usage: " + counts(use.ofNetwork(direction, When.AT_JUNCTION)));
+        line("\t\tEdible Mode Usage At Junctions: " + counts(use.ofNetwork(direction, When.EDIBLE_AT_JUNCTION)));
+        line("\t\tThreat Mode Usage At Junctions: " + counts(use.ofNetwork(direction, When.THREAT_AT_JUNCTION)));
+        int used = Arrays.stream(use.ofNetwork(direction, When.ALL)).sum();
+        line("\t\tNetwork Usage: " + used + ":" + DoubleText.of(used / (double) use.decisions()));
+        line("\t\tUnused Count: " + (use.decisions() - used));
+    }
+
+    @Override
+    public void trialOver(int trial, double[] trialObjectives, double[] trialOthers) {
+        objectives.add(trialObjectives);
+        otherScores.add(trialOthers);
+    }
+
+    private void summary(Evaluation evaluation) {
+        line("Fitness scores:");
+        scores(task.objectiveNames(), objectives, evaluation.objectives());
+        line("\tOther scores:");
+        scores(task.otherScoreLabels(), otherScores, evaluation.otherScores());
+        line("Fitness:" + array(evaluation.objectives()));
+        line("OtherScores:" + array(evaluation.otherScores()));
+        line("");
+        line("Usage: "
+                + Stream.of(When.values())
+                        .map(when -> proportions(total.ofChosenDirection(when)))
+                        .collect(Collectors.joining()));
+        line("Total Mode Usage Across Evals");
+        chosenDirection(total);
+    }
+
+    private void scores(List<String> labels, List<double[]> trials, double[] aggregates) {
+        for (int k = 0; k < labels.size(); k++) {
+            int score = k;
+            double[] values = trials.stream().mapToDouble(trial -> trial[score]).toArray();
+            // Deviations are given beside averages only; the others say in their label what they are.
+            String deviation = labels.get(k).endsWith("]")
+                    ? ""
+                    : " +/- " + DoubleText.of(SampleStatistics.of(values).deviation());
+            line("\t" + labels.get(k) + ":\t" + array(values) + ":" + DoubleText.of(aggregates[k]) + deviation);
+        }
+    }
+
+    private static String counts(int[] counts) {
+        return Arrays.toString(counts) + ":" + proportions(counts);
+    }
+
+    /** An empty array if nothing was counted. */
+    private static String proportions(int[] counts) {
+        double all = Arrays.stream(counts).sum();
+        return array(
+                all == 0
+                        ? new double[0]
+                        : Arrays.stream(counts)
+                                .mapToDouble(count -> count / all)
+                                .toArray());
+    }
+
+    private static String array(double[] values) {
+        return DoubleStream.of(values).mapToObj(DoubleText::of).collect(Collectors.joining(", ", "[", "]"));
+    }
+
+    private void line(String line) {
+        text.append(line).append('\n');
+    }
+}

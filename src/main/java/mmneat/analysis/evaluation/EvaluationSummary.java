@@ -1,0 +1,53 @@
+package mmneat.analysis.evaluation;
+
+import java.util.ArrayList;
+import java.util.List;
+import mmneat.analysis.results.ChampionEvaluation;
+import mmneat.mspacman.GameEnd;
+import org.apache.commons.math3.distribution.TDistribution;
+import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
+
+/** Sums up the games of an evaluation. */
+final class EvaluationSummary {
+
+    private static final double LEVEL = 0.95;
+    private static final int MAZES = 4;
+
+    private EvaluationSummary() {}
+
+    /** The interval is Student's: the mean of many games is nearly normal, whatever their scores are. */
+    static ChampionEvaluation of(Rules rules, List<GameResult> games) {
+        SummaryStatistics scores = new SummaryStatistics();
+        long[] deaths = new long[MAZES];
+        List<long[]> use = new ArrayList<>();
+        for (GameResult game : games) {
+            scores.addValue(game.score());
+            if (game.end() == GameEnd.LOST_ALL_LIVES) {
+                deaths[game.maze()]++;
+            }
+            for (int s = 0; s < game.moduleUse().size(); s++) {
+                long[] counts = game.moduleUse().get(s);
+                if (use.size() <= s) {
+                    use.add(new long[counts.length]);
+                }
+                for (int m = 0; m < counts.length; m++) {
+                    use.get(s)[m] += counts[m];
+                }
+            }
+        }
+        double margin = games.size() < 2
+                ? 0
+                : new TDistribution(null, games.size() - 1.0).inverseCumulativeProbability((1 + LEVEL) / 2)
+                        * scores.getStandardDeviation()
+                        / Math.sqrt(games.size());
+        return new ChampionEvaluation(
+                rules.label(),
+                games.size(),
+                scores.getMean(),
+                games.size() < 2 ? 0 : scores.getStandardDeviation(),
+                scores.getMean() - margin,
+                scores.getMean() + margin,
+                use,
+                deaths);
+    }
+}

@@ -1,0 +1,85 @@
+package mmneat.analysis.evaluation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import mmneat.evolution.Evaluation;
+import mmneat.mspacman.DirectionEvaluator;
+import mmneat.mspacman.EvaluationObserver;
+import mmneat.mspacman.GameEnd;
+import mmneat.mspacman.ModuleUse;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TrialGame;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+import pacman.game.Game;
+
+/** Plays single games of a network and notes what happened. One thread uses it. */
+final class GamePlayer implements EvaluationObserver {
+
+    private static final int GHOSTS = 0;
+    private static final int PILLS = 1;
+    private static final int SCORE = 0;
+
+    private final MsPacManTask task;
+    private final Genotype genotype;
+    private GameEnd end;
+    private int maze;
+    private int levels;
+    private ModuleUse use;
+
+    GamePlayer(MsPacManTaskSettings settings, Genotype genotype) {
+        task = new MsPacManTask(settings.withTrials(1));
+        this.genotype = genotype;
+    }
+
+    GameResult play(int number, long seed) {
+        end = null;
+        use = new ModuleUse(genotype.modules());
+        levels = 0;
+        Evaluation evaluation = task.evaluate(genotype, new ResumableRandom(seed), this);
+        List<long[]> counts = new ArrayList<>();
+        for (ModuleUse.When when : ModuleUse.When.values()) {
+            counts.add(Arrays.stream(use.ofChosenDirection(when)).asLongStream().toArray());
+        }
+        return new GameResult(
+                number,
+                seed,
+                evaluation.otherScores()[SCORE],
+                evaluation.objectives()[GHOSTS],
+                evaluation.objectives()[PILLS],
+                levels,
+                evaluation.outcomes().steps(),
+                end,
+                maze,
+                counts);
+    }
+
+    @Override
+    public void gameStarted(TrialGame setting, Game game) {
+        if (end == null) {
+            maze = game.getMazeIndex();
+        }
+    }
+
+    @Override
+    public void stepPlayed(Game game, DirectionEvaluator player) {
+        if (end == null && !game.gameOver()) {
+            maze = game.getMazeIndex();
+        }
+    }
+
+    @Override
+    public void levelFinished(int level, int finishedMaze) {
+        levels += end == null ? 1 : 0;
+    }
+
+    @Override
+    public void gameOver(TrialGame setting, Game game, GameEnd reason, DirectionEvaluator player) {
+        use.add(player.moduleUse());
+        if (end == null) {
+            end = reason;
+        }
+    }
+}

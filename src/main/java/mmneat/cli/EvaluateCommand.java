@@ -1,0 +1,198 @@
+package mmneat.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.evaluation.ChampionEvaluator;
+import mmneat.analysis.evaluation.EvaluationReport;
+import mmneat.analysis.evaluation.Rules;
+import mmneat.analysis.results.ChampionEvaluation;
+import mmneat.analysis.results.ExperimentFinder;
+import mmneat.analysis.statistics.Numbers;
+import mmneat.analysis.statistics.TextTable;
+import mmneat.experiment.PublishedConfigurations;
+import mmneat.experiment.UserError;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Lets champions play many games after evolution. */
+@Command(
+        name = "evaluate",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        customSynopsis = "mmneat evaluate EXPERIMENT|FILE... [name=value...]",
+        description = {
+            "Lets champions play many games on all cores: average score with its confidence interval, module use by situation,"
+                    + " deaths by maze, and every game in a CSV in the run's folder.",
+            "",
+            "The result does not depend on the number of threads. An interrupted evaluation goes on when the command is given"
+                    + " again. compare, report and the figures use the evaluations under training rules.",
+            "Example: mmneat evaluate results/blended games=1000",
+            "Example: mmneat evaluate results/blended/2M0 rules=FourMaze",
+            "",
+        })
+final class EvaluateCommand implements Runnable, WordCommand {
+
+    private static final int MOST_EXPERIMENTS = 1000;
+    private static final int PROGRESS_SECONDS = 5;
+
+    @Spec
+    private CommandSpec command;
+
+    @Parameters(hidden = true, paramLabel = "EXPERIMENT")
+    private List<String> arguments = new ArrayList<>();
+
+    @Override
+    public List<Word> knownWords() {
+        return List.of(
+                new Word("games", "1000", "games per champion (default 1000)"),
+                new Word(
+                        "rules",
+                        String.join("|", Rules.labels()),
+                        "the rules (default training: one life, as in evolution)"),
+                new Word("seed", "0", "seed of the games' seeds (default 0)"),
+                new Word("threads", "2", "games played at the same time (default: all cores)"),
+                new Word(
+                        "report",
+                        "true",
+                        "writes the original's eval report instead, one champion after the other and game after game, drawn"
+                                + " as the original draws from the run's seed (default false)"),
+                new Word(
+                        "task",
+                        String.join("|", PublishedConfigurations.tasks()),
+                        "version of the task (default: that of the run, or what the network's inputs say)"),
+                new Word("ghosts", "FILE", "recorded ghost locations, for the isolated version"));
+    }
+
+    @Override
+    public void run() {
+        Words words = Words.parse(arguments, this, MOST_EXPERIMENTS);
+        Rules rules = Rules.of(words.text("rules", Rules.TRAINING.label()));
+        int games = words.integer("games", 1000, 1, Integer.MAX_VALUE);
+        List<ChampionEvaluator.Entry> entries = champions(words).stream()
+                .map(champion -> new ChampionEvaluator.Entry(champion, ChampionWords.settings(words, champion, rules)))
+                .toList();
+        if (words.flag("report", false)) {
+            report(entries, games);
+            return;
+        }
+        int threads = words.integer("threads", Runtime.getRuntime().availableProcessors(), 1, 4096);
+        long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
+        try (ChampionEvaluator evaluator = new ChampionEvaluator(rules, games, seed, threads)) {
+            ScheduledExecutorService progress = progress(evaluator, (long) games * entries.size());
+            List<ChampionEvaluation> evaluations = evaluator.evaluate(entries);
+            progress.shutdownNow();
+            print(entries, evaluations);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new UserError("interrupted; give the same command again to go on", e);
+        }
+    }
+
+    /** The champions of all runs that the plain words lead to, or the networks that they name. */
+    private static List<Champion> champions(Words words) {
+        List<Champion> champions = new ArrayList<>();
+        for (Path path : CompareCommand.experimentPaths(words, "evaluate")) {
+            if (Files.isRegularFile(path)) {
+                champions.add(Champion.read(path));
+            } else {
+                ExperimentFinder.find(List.of(path)).stream()
+                        .flatMap(experiment -> experiment.runs().stream())
+                        .forEach(run -> champions.add(Champion.read(run.folder())));
+            }
+        }
+        return champions;
+    }
+
+    private void report(List<ChampionEvaluator.Entry> entries, int games) {
+        for (ChampionEvaluator.Entry entry : entries) {
+            Path file = EvaluationReport.write(entry.champion(), entry.settings(), games);
+            command.commandLine().getOut().println(file);
+        }
+        command.commandLine().getOut().flush();
+    }
+
+    private ScheduledExecutorService progress(ChampionEvaluator evaluator, long all) {
+        PrintWriter notes = command.commandLine().getErr();
+        long start = System.nanoTime();
+        ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
+            Thread thread = new Thread(task, "progress");
+            thread.setDaemon(true);
+            return thread;
+        });
+        clock.scheduleAtFixedRate(
+                () -> {
+                    long played = evaluator.played();
+                    double perSecond = played / ((System.nanoTime() - start) * 1e-9);
+                    notes.printf(
+                            Locale.ROOT,
+                            "evaluate: %,d of %,d games, %.0f games/s, about %,.0f s left%n",
+                            played,
+                            all,
+                            perSecond,
+                            (all - played) / Math.max(1e-9, perSecond));
+                    notes.flush();
+                },
+                PROGRESS_SECONDS,
+                PROGRESS_SECONDS,
+                TimeUnit.SECONDS);
+        return clock;
+    }
+
+    private void print(List<ChampionEvaluator.Entry> entries, List<ChampionEvaluation> evaluations) {
+        TextTable table = new TextTable(
+                "champion", "games", "mean", "sd", "95 % interval", "most-used module", "deaths in A B C D");
+        for (int i = 0; i < entries.size(); i++) {
+            ChampionEvaluation evaluation = evaluations.get(i);
+            table.row(
+                    entries.get(i).champion().name(),
+                    String.valueOf(evaluation.games()),
+                    Numbers.score(evaluation.meanScore()),
+                    Numbers.score(evaluation.standardDeviation()),
+                    Numbers.score(evaluation.low()) + " to " + Numbers.score(evaluation.high()),
+                    Numbers.decimal(evaluation.mostUsedModulePercent(), 1) + " %",
+                    Arrays.stream(evaluation.deathsByMaze())
+                            .mapToObj(Long::toString)
+                            .collect(Collectors.joining(" ")));
+        }
+        PrintWriter out = command.commandLine().getOut();
+        out.print(table.text());
+        if (entries.size() == 1) {
+            out.println();
+            out.print(moduleUse(evaluations.get(0)).text());
+        }
+        out.flush();
+    }
+
+    private static TextTable moduleUse(ChampionEvaluation evaluation) {
+        int modules = evaluation.moduleUse().get(0).length;
+        String[] header = new String[modules + 1];
+        header[0] = "module use, % of steps";
+        for (int m = 0; m < modules; m++) {
+            header[m + 1] = "module " + (m + 1);
+        }
+        TextTable table = new TextTable(header);
+        for (int s = 0; s < ChampionEvaluation.SITUATIONS.size(); s++) {
+            long[] counts = evaluation.moduleUse().get(s);
+            double all = Arrays.stream(counts).sum();
+            String[] row = new String[modules + 1];
+            row[0] = ChampionEvaluation.SITUATIONS.get(s);
+            for (int m = 0; m < modules; m++) {
+                row[m + 1] = all == 0 ? "-" : Numbers.decimal(100 * counts[m] / all, 1);
+            }
+            table.row(row);
+        }
+        return table;
+    }
+}

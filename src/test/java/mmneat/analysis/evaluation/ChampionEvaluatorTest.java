@@ -1,0 +1,143 @@
+package mmneat.analysis.evaluation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import mmneat.analysis.results.ChampionEvaluation;
+import mmneat.evolution.Evaluation;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.neat.InitialNetworks;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.io.GenotypeJson;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ChampionEvaluatorTest {
+
+    @TempDir
+    Path base;
+
+    private Path run;
+
+    @BeforeEach
+    void runWithAChampion() throws IOException {
+        run = Files.createDirectories(base.resolve("2M0"));
+        Files.writeString(run.resolve("parameters.properties"), "task=blended\nmethod=2M\nrunNumber=0\n");
+        Files.writeString(
+                run.resolve("champion.json"),
+                GenotypeJson.write(new InitialNetworks(30, ModuleLayout.withPreferenceNeurons(2, 1))
+                        .create(7, new ResumableRandom(5))));
+    }
+
+    private ChampionEvaluation evaluate(Rules rules, int games, int threads) throws InterruptedException {
+        Champion champion = Champion.read(run);
+        MsPacManTaskSettings settings = PlayerSettings.of(champion, Optional.empty(), rules, Optional.empty());
+        try (ChampionEvaluator evaluator = new ChampionEvaluator(rules, games, 11, threads)) {
+            return evaluator
+                    .evaluate(List.of(new ChampionEvaluator.Entry(champion, settings)))
+                    .get(0);
+        }
+    }
+
+    private String table() throws IOException {
+        return Files.readString(run.resolve("evaluation-training.csv"));
+    }
+
+    @Test
+    void evaluation_isTheSame_forAnyNumberOfThreads() throws Exception {
+        ChampionEvaluation one = evaluate(Rules.TRAINING, 50, 1);
+        String table = table();
+        Files.delete(run.resolve("evaluation-training.csv"));
+        ChampionEvaluation three = evaluate(Rules.TRAINING, 50, 3);
+        assertThat(table()).isEqualTo(table);
+        assertThat(three).usingRecursiveComparison().isEqualTo(one);
+        assertThat(table.lines()).hasSize(52);
+    }
+
+    @Test
+    void interruptedEvaluation_goesOn_whereItStopped() throws Exception {
+        evaluate(Rules.TRAINING, 50, 2);
+        String whole = table();
+        // Twenty complete games and a line that was cut off.
+        int end = whole.lines().limit(22).mapToInt(line -> line.length() + 1).sum();
+        Files.writeString(run.resolve("evaluation-training.csv"), whole.substring(0, end + 9));
+        Champion champion = Champion.read(run);
+        MsPacManTaskSettings settings = PlayerSettings.of(champion, Optional.empty(), Rules.TRAINING, Optional.empty());
+        try (ChampionEvaluator evaluator = new ChampionEvaluator(Rules.TRAINING, 50, 11, 1)) {
+            evaluator.evaluate(List.of(new ChampionEvaluator.Entry(champion, settings)));
+            assertThat(evaluator.played()).isEqualTo(30);
+        }
+        assertThat(table()).isEqualTo(whole);
+    }
+
+    @Test
+    void anotherChampion_isNotMixedWithTheOldOnesGames() throws Exception {
+        evaluate(Rules.TRAINING, 20, 1);
+        String old = table();
+        Files.writeString(
+                run.resolve("champion.json"),
+                GenotypeJson.write(new InitialNetworks(30, ModuleLayout.withPreferenceNeurons(2, 1))
+                        .create(7, new ResumableRandom(6))));
+        evaluate(Rules.TRAINING, 20, 1);
+        assertThat(table().lines().skip(2).toList())
+                .isNotEqualTo(old.lines().skip(2).toList());
+    }
+
+    @Test
+    void summary_agreesWithTheGames_andAGameWithItsSeed() throws Exception {
+        ChampionEvaluation summary = evaluate(Rules.TRAINING, 20, 1);
+        List<GameResult> games = table().lines().skip(2).map(GameResult::parse).toList();
+        assertThat(summary.games()).isEqualTo(20);
+        assertThat(summary.meanScore())
+                .isEqualTo(
+                        games.stream().mapToDouble(GameResult::score).average().orElseThrow());
+        assertThat(summary.low()).isLessThan(summary.meanScore());
+        assertThat(summary.high()).isGreaterThan(summary.meanScore());
+        assertThat(java.util.Arrays.stream(summary.deathsByMaze()).sum()).isBetween(1L, 20L);
+        long steps = games.stream().mapToLong(GameResult::steps).sum();
+        assertThat(java.util.Arrays.stream(summary.moduleUse().get(0)).sum()).isBetween(steps - 20, steps);
+        GameResult game = games.get(13);
+        MsPacManTask task = new MsPacManTask(MsPacManTaskSettings.blended().withTrials(1));
+        Evaluation again = task.evaluate(Champion.read(run).genotype(), new ResumableRandom(game.seed()));
+        assertThat(again.otherScores()[0]).isEqualTo(game.score());
+    }
+
+    @Test
+    void fourMazeRules_giveThreeLives_andTheirOwnFiles() throws Exception {
+        ChampionEvaluation training = evaluate(Rules.TRAINING, 20, 1);
+        ChampionEvaluation fourMaze = evaluate(Rules.FOUR_MAZE, 20, 1);
+        evaluate(Rules.MPM_VS_GHOSTS, 20, 1);
+        assertThat(fourMaze.meanScore()).isGreaterThan(training.meanScore());
+        assertThat(run.resolve("evaluation-FourMaze.json")).exists();
+        assertThat(run.resolve("evaluation-MPMvsG.csv")).exists();
+    }
+
+    @Test
+    void networkOfAnotherVersion_isAnErrorThatSaysWhatToDo() {
+        Champion champion = Champion.read(run);
+        assertThatThrownBy(
+                        () -> PlayerSettings.of(champion, Optional.of("interleaved"), Rules.TRAINING, Optional.empty()))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("30 inputs")
+                .hasMessageContaining("task=");
+    }
+
+    @Test
+    void missingChampion_isAnError() {
+        assertThatThrownBy(() -> Champion.read(base))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("champion.json");
+        assertThatThrownBy(() -> Champion.read(base.resolve("none.xml")))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("none.xml");
+    }
+}
