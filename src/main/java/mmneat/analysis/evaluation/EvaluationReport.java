@@ -182,11 +182,22 @@ public final class EvaluationReport implements EvaluationObserver {
             int score = k;
             double[] values = trials.stream().mapToDouble(trial -> trial[score]).toArray();
             // Deviations are given beside averages only; the others say in their label what they are.
-            String deviation = labels.get(k).endsWith("]")
-                    ? ""
-                    : " +/- " + DoubleText.of(SampleStatistics.of(values).deviation());
+            String deviation = labels.get(k).endsWith("]") ? "" : " +/- " + DoubleText.of(deviation(values));
             line("\t" + labels.get(k) + ":\t" + array(values) + ":" + DoubleText.of(aggregates[k]) + deviation);
         }
+    }
+
+    /**
+     * Sample deviation in two passes. The report is the one place where the original does not use its running formula
+     * ({@link SampleStatistics}); they differ in the last digits.
+     */
+    private static double deviation(double[] values) {
+        double mean = SampleStatistics.meanOf(values);
+        double squares = 0;
+        for (double value : values) {
+            squares += (value - mean) * (value - mean);
+        }
+        return Math.sqrt(squares / (values.length - 1));
     }
 
     private static String counts(int[] counts) {
