@@ -28,6 +28,9 @@ final class OnwardJunctions {
     /** Steps of the path from row r's junction to there, at index 4 r + m. */
     private final int[] lengths;
 
+    /** Steps of the longest of a row's paths. */
+    private final int[] longest;
+
     /** Nodes of that path, {@link #words} longs from index words (4 r + m). */
     private final long[] nodes;
 
@@ -40,6 +43,7 @@ final class OnwardJunctions {
         int rows = paths.rowCount();
         junctions = new int[4 * rows];
         lengths = new int[4 * rows];
+        longest = new int[rows];
         nodes = new long[4 * rows * words];
         moves = new byte[4 * graph.nodeCount()];
         int[] path = new int[PathTables.LONGEST * graph.nodeCount()];
@@ -64,6 +68,7 @@ final class OnwardJunctions {
         if (graph.neighbour(from, move) != CorridorPositions.NONE) {
             junctions[index] = paths.junction(paths.leaving(from, move));
             lengths[index] = paths.rowPath(row, junctions[index], path, 0);
+            longest[row] = Math.max(longest[row], lengths[index]);
             for (int i = 0; i < lengths[index]; i++) {
                 nodes[index * words + (path[i] >> 6)] |= 1L << path[i];
             }
@@ -103,6 +108,11 @@ final class OnwardJunctions {
     /** Steps of an onward path. */
     int length(int path) {
         return lengths[path];
+    }
+
+    /** Steps of the longest onward path of a row. */
+    int longest(int row) {
+        return longest[row];
     }
 
     /** Whether a node lies on an onward path, its end included. */

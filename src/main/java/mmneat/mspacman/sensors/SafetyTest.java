@@ -28,6 +28,9 @@ final class SafetyTest {
     private int steps;
     private int onward;
 
+    /** Whether so few pills, and no power pills, are left that all may be on a path. */
+    private boolean mayGoToLastPill;
+
     /** Whether her path ends anywhere, as for the last pill: then it is marked by stamps. */
     private boolean isStamped;
 
@@ -52,14 +55,21 @@ final class SafetyTest {
         target = paths.junction(way);
         steps = PathTables.steps(way);
         onward = NONE;
-        if (!isSafe()) {
-            return 0;
-        }
-        int options = 0;
         int row = paths.rowOf(way);
-        for (int moves = tables.onward.moves(situation.pacManNode(), situation.direction());
-                moves != 0;
-                moves &= moves - 1) {
+        int moves = tables.onward.moves(situation.pacManNode(), situation.direction());
+        int mostSteps = steps + tables.onward.longest(row);
+        mayGoToLastPill = situation.powerPillsLeft() == 0
+                && situation.pillsLeft() > 0
+                && situation.pillsLeft() <= mostSteps;
+        if (mostSteps <= situation.harmlessSteps() && !mayGoToLastPill) {
+            return Integer.bitCount(moves);
+        }
+        return isSafe() ? safeMoves(way, row, moves) : 0;
+    }
+
+    private int safeMoves(long way, int row, int onwardMoves) {
+        int options = 0;
+        for (int moves = onwardMoves; moves != 0; moves &= moves - 1) {
             onward = OnwardJunctions.path(row, Integer.numberOfTrailingZeros(moves));
             target = tables.onward.end(onward);
             steps = PathTables.steps(way) + tables.onward.length(onward);
@@ -70,9 +80,19 @@ final class SafetyTest {
         return options;
     }
 
+    /** Number of steps of her path up to which a ghost cannot stop her by any rule below; -1 for threats. */
+    int harmlessSteps(int ghost) {
+        if (!situation.isOutside(ghost)) {
+            return situation.lairTime(ghost);
+        }
+        int edibleTime = situation.edibleTime(ghost);
+        // The ghost's own path to her is not shorter than the distance that counts when they meet.
+        return edibleTime > 0 && timeToMeet(situation.ghostPathLength(ghost)) < edibleTime ? edibleTime - 1 : -1;
+    }
+
     private boolean isSafe() {
         isStamped = false;
-        if (situation.powerPillsLeft() == 0 && situation.pillsLeft() > 0 && situation.pillsLeft() <= steps) {
+        if (mayGoToLastPill && situation.pillsLeft() <= steps) {
             goOnlyToLastPill();
         }
         for (int ghost = 0; ghost < Situation.GHOSTS; ghost++) {
@@ -100,7 +120,7 @@ final class SafetyTest {
         if (node == target && !situation.isApproaching(ghost)) {
             return false;
         }
-        if (isOnPath(node)) {
+        if (isGhostOnPath(ghost, node)) {
             if (runsAhead(ghost, node)) {
                 return false;
             }
@@ -112,18 +132,16 @@ final class SafetyTest {
     }
 
     private boolean stopsWhileEdible(int ghost, int edibleTime) {
-        // The ghost's own path to her is not shorter than the distance that counts here: mostly this settles the case.
-        boolean mayMeet = timeToMeet(situation.ghostPathLength(ghost)) >= edibleTime;
-        if (!mayMeet && steps < edibleTime) {
+        if (steps <= harmlessSteps(ghost)) {
             return false;
         }
         int node = situation.ghostNode(ghost);
-        if (isOnPath(node)) {
+        if (isGhostOnPath(ghost, node)) {
             if (runsAhead(ghost, node)) {
                 return false;
             }
             int distance = tables.distances.between(node, situation.pacManNode());
-            if (mayMeet && timeToMeet(distance) >= edibleTime && headsForPacMan(ghost, node)) {
+            if (timeToMeet(distance) >= edibleTime && headsForPacMan(ghost, node)) {
                 return true;
             }
         }
@@ -136,12 +154,24 @@ final class SafetyTest {
     }
 
     private int ghostSteps(int ghost) {
-        return paths.length(situation.ghostWay(ghost), 0, target);
+        // Only pills can be in the ghost's own corridor: a junction is beyond it, or the place where it is.
+        return isStamped
+                ? paths.length(situation.ghostWay(ghost), 0, target)
+                : paths.lengthBeyond(situation.ghostWay(ghost), target);
     }
 
     /** Both lengths as the simulator's paths have them. */
     private boolean headsForPacMan(int ghost, int node) {
         return situation.ghostPathLength(ghost) == paths.undirectedLength(node, situation.pacManNode());
+    }
+
+    private boolean isGhostOnPath(int ghost, int node) {
+        if (isStamped) {
+            return stamps[node] == stamp;
+        }
+        return situation.isInCorridorAhead(ghost)
+                || node == paths.junction(situation.way())
+                || onward != NONE && tables.onward.passes(onward, node);
     }
 
     private boolean isOnPath(int node) {
@@ -159,7 +189,7 @@ final class SafetyTest {
             return false;
         }
         long ghostWay = situation.ghostWay(ghost);
-        if (!isStamped && paths.ahead(situation.way(), node) > 0) {
+        if (!isStamped && situation.isInCorridorAhead(ghost)) {
             if (PathTables.isSameCourse(ghostWay, situation.way())) {
                 return true;
             }

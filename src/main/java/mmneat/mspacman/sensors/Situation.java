@@ -44,6 +44,7 @@ public final class Situation {
     private int highestEdibleTime;
     private int edibleGhosts;
     private int threats;
+    private int harmlessSteps;
 
     // What follows from the direction.
     private int direction;
@@ -51,8 +52,8 @@ public final class Situation {
     private int least;
     private final int[] ghostDistance = new int[GHOSTS];
 
-    /** Whether each ghost is in the corridor ahead. */
-    private final boolean[] isAhead = new boolean[GHOSTS];
+    /** Steps to each ghost that is in the corridor ahead, 0 for one on her node in a straight corridor; else below 0. */
+    private final int[] stepsAhead = new int[GHOSTS];
 
     private final int[] ghostOrder = new int[GHOSTS];
     private int ghostsOutside;
@@ -144,6 +145,7 @@ public final class Situation {
         highestEdibleTime = 0;
         edibleGhosts = 0;
         threats = 0;
+        harmlessSteps = Integer.MAX_VALUE;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             highestEdibleTime = Math.max(highestEdibleTime, edibleTime[ghost]);
             if (edibleTime[ghost] > 0) {
@@ -155,6 +157,7 @@ public final class Situation {
                 ghostPathLength[ghost] = paths.length(ghostWay[ghost], 0, node);
                 neighboursPassed[ghost] = paths.neighboursPassed(ghostWay[ghost], node);
             }
+            harmlessSteps = Math.min(harmlessSteps, safety.harmlessSteps(ghost));
         }
     }
 
@@ -168,8 +171,8 @@ public final class Situation {
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             if (isOutside(ghost)) {
                 int ahead = paths.ahead(way, ghostNode[ghost]);
-                isAhead[ghost] = ahead >= least;
-                ghostDistance[ghost] = isAhead[ghost] ? ahead : paths.lengthBeyond(way, ghostNode[ghost]);
+                stepsAhead[ghost] = ahead;
+                ghostDistance[ghost] = ahead >= least ? ahead : paths.lengthBeyond(way, ghostNode[ghost]);
                 insertIntoOrder(ghost);
             }
         }
@@ -205,6 +208,16 @@ public final class Situation {
     /** How a ghost outside the lair goes on. */
     long ghostWay(int ghost) {
         return ghostWay[ghost];
+    }
+
+    /** Whether a ghost outside the lair is in the corridor before the next junction. */
+    boolean isInCorridorAhead(int ghost) {
+        return stepsAhead[ghost] > 0;
+    }
+
+    /** Number of steps in which no ghost can stop Ms. Pac-Man, wherever she goes; below 0 if there is a threat. */
+    int harmlessSteps() {
+        return harmlessSteps;
     }
 
     /** Steps of a ghost's own path to Ms. Pac-Man. */
@@ -414,7 +427,7 @@ public final class Situation {
 
     /** Whether no junction lies between Ms. Pac-Man and a ghost outside the lair in this direction, nor under the ghost. */
     public boolean isTrapped(int ghost) {
-        return isAhead[ghost];
+        return stepsAhead[ghost] >= least;
     }
 
     /** Most active pills on a walk of the look-ahead depth in this direction that never turns back. */
