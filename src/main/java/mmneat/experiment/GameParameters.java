@@ -3,11 +3,13 @@ package mmneat.experiment;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ModuleDivisions;
 import mmneat.mspacman.sensors.SensorSettings;
+import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.network.ModuleArbitration;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.examples.AggressiveGhosts;
@@ -63,6 +65,7 @@ record GameParameters(
         boolean specificGhostEdibleThreatSplit,
         int smallStepSimDepth,
         boolean highLevel,
+        String ownSensors,
         boolean softmaxModeSelection,
         double softmaxTemperature,
         int disabledMode,
@@ -140,7 +143,7 @@ record GameParameters(
     }
 
     private SensorSettings sensors(TaskVersion version) {
-        return new SensorSettings(
+        SensorSettings settings = new SensorSettings(
                 junctionsToSense,
                 incoming,
                 trapped,
@@ -153,7 +156,20 @@ record GameParameters(
                 edibleTime,
                 CLOSE_TO_POWER_PILL,
                 highLevel,
-                List.of());
+                ownSensorClasses());
+        try {
+            SensorSuite.of(settings);
+        } catch (IllegalArgumentException e) {
+            throw new UserError("ownSensors=" + ownSensors + ": " + e.getMessage(), e);
+        }
+        return settings;
+    }
+
+    private List<String> ownSensorClasses() {
+        return Stream.of(ownSensors.split(","))
+                .map(String::strip)
+                .filter(name -> !name.isEmpty())
+                .toList();
     }
 
     private ModuleDivision division() {

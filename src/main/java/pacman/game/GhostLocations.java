@@ -4,6 +4,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.Reader;
 import java.util.Arrays;
+import pacman.game.internal.Mazes;
 
 /**
  * Recorded places of the four ghosts at moments when a power pill was eaten: where they appear in the ghost-eating game of
@@ -64,6 +65,7 @@ public final class GhostLocations {
                     && fields[0] < Constants.NUM_MAZES
                     && fields[1] >= 0
                     && fields[1] < POWER_PILLS) {
+                requireNodes(fields, where);
                 return fields;
             }
         } catch (NumberFormatException e) {
@@ -71,6 +73,17 @@ public final class GhostLocations {
         }
         throw new IllegalArgumentException(
                 where + ": expected six integers: maze 0 to 3, power pill 0 to 3 and four nodes");
+    }
+
+    private static void requireNodes(int[] fields, String where) {
+        int nodes = Mazes.standard().get(fields[0]).graph().lair();
+        for (int ghost = 0; ghost < Constants.NUM_GHOSTS; ghost++) {
+            int node = fields[2 + ghost];
+            if (node < 0 || node >= nodes) {
+                throw new IllegalArgumentException(where + ": node " + node + " is not in maze " + fields[0]
+                        + ", whose corridors have the nodes 0 to " + (nodes - 1));
+            }
+        }
     }
 
     private static void add(int[] fields, int[] counts, short[] nodes) {

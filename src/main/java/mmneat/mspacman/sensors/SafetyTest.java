@@ -58,9 +58,8 @@ final class SafetyTest {
         int row = paths.rowOf(way);
         int moves = tables.onward.moves(situation.pacManNode(), situation.direction());
         int mostSteps = steps + tables.onward.longest(row);
-        mayGoToLastPill = situation.powerPillsLeft() == 0
-                && situation.pillsLeft() > 0
-                && situation.pillsLeft() <= mostSteps;
+        mayGoToLastPill =
+                situation.powerPillsLeft() == 0 && situation.pillsLeft() > 0 && situation.pillsLeft() <= mostSteps;
         if (mostSteps <= situation.harmlessSteps() && !mayGoToLastPill) {
             return Integer.bitCount(moves);
         }
