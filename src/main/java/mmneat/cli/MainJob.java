@@ -2,8 +2,10 @@ package mmneat.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import mmneat.experiment.Experiment;
 import mmneat.experiment.ExperimentPlan;
@@ -63,8 +65,24 @@ final class MainJob implements Callable<Integer> {
         }
         if (!quiet) {
             new ResultTable(plan, outcomes).print(out);
+            showFurther(plan, outcomes);
         }
         return exitCode(outcomes);
+    }
+
+    private void showFurther(ExperimentPlan plan, List<RunOutcome> outcomes) throws IOException {
+        Optional<Path> curve = LearningCurve.write(plan, outcomes);
+        Optional<Path> best = new ResultTable(plan, outcomes).best().map(outcome -> outcome.run()
+                .directory());
+        if (curve.isPresent() && best.isPresent()) {
+            out.println();
+            out.println("Learning curve: " + curve.get() + " (and .png)");
+            out.println("To look further:");
+            out.println("  java -jar mmneat.jar network " + best.get().resolve("champion.json"));
+            out.println("  java -jar mmneat.jar status " + plan.base());
+            out.println("  java -jar mmneat.jar compare " + plan.base());
+            out.flush();
+        }
     }
 
     /** Runs when the process is told to end: Ctrl-C, SIGTERM. */

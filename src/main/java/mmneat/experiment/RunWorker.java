@@ -2,6 +2,7 @@ package mmneat.experiment;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.util.Optional;
 import java.util.Set;
@@ -168,11 +169,12 @@ final class RunWorker {
         return failure;
     }
 
-    private static String fileMessage(Exception e) {
+    private String fileMessage(Exception e) {
         Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
-        String what = cause instanceof java.nio.file.FileSystemException fileSystem && fileSystem.getReason() == null
+        String what = cause instanceof FileSystemException fileSystem && fileSystem.getReason() == null
                 ? cause.getClass().getSimpleName() + ": " + cause.getMessage()
                 : String.valueOf(cause.getMessage());
-        return what + "; what was complete is kept: mend it and give the same command again";
+        return "cannot write or read in " + run.directory() + ": " + what
+                + "; what was complete is kept: mend it and give the same command again";
     }
 }

@@ -1,0 +1,181 @@
+package mmneat.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Nothing is ever lost: real processes of the packaged jar, killed, stopped, started twice and out of disk space. */
+class CrashSafetyIT {
+
+    private static final Path JAR = Path.of(System.getProperty("mmneat.jar", "target/mmneat.jar"));
+    private static final List<String> EXPERIMENT =
+            List.of("task=blended", "runs=2", "mu=4", "maxGens=4", "trials=1", "threads=2");
+
+    @TempDir
+    Path folder;
+
+    private Path whole;
+
+    @BeforeEach
+    void experimentThatNothingHappensTo() throws Exception {
+        whole = folder.resolve("whole");
+        assertThat(finish(start(whole))).isZero();
+    }
+
+    private ProcessBuilder command(Path base, String... more) {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx512m",
+                "-jar",
+                JAR.toString()));
+        command.addAll(EXPERIMENT);
+        command.add("base=" + base);
+        command.addAll(Arrays.asList(more));
+        return new ProcessBuilder(command)
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.appendTo(new File(folder.toFile(), "output.txt")));
+    }
+
+    private Process start(Path base, String... more) throws IOException {
+        return command(base, more).start();
+    }
+
+    private int finish(Process process) throws InterruptedException {
+        assertThat(process.waitFor(5, TimeUnit.MINUTES)).isTrue();
+        return process.exitValue();
+    }
+
+    /** Waits until a run's checkpoint has been written for a generation, or the process has ended. */
+    private void awaitCheckpoint(Process process, Path base) {
+        Path checkpoint = base.resolve("2M0/checkpoint.json.gz");
+        while (process.isAlive() && !Files.exists(checkpoint)) {
+            Thread.onSpinWait();
+        }
+    }
+
+    private void signal(String name, Process process) throws Exception {
+        assertThat(new ProcessBuilder("kill", "-" + name, Long.toString(process.pid()))
+                        .start()
+                        .waitFor())
+                .isZero();
+    }
+
+    private String output() throws IOException {
+        return Files.readString(folder.resolve("output.txt"));
+    }
+
+    private void assertSameAsWhole(Path base) throws IOException {
+        for (String run : List.of("2M0", "2M1")) {
+            assertThat(content(base.resolve(run)))
+                    .isEqualTo(content(whole.resolve(run)))
+                    .hasSizeGreaterThan(20);
+        }
+    }
+
+    private static Map<String, String> content(Path run) throws IOException {
+        Map<String, String> content = new TreeMap<>();
+        try (Stream<Path> files = Files.walk(run)) {
+            for (Path file : (Iterable<Path>) files.filter(Files::isRegularFile)::iterator) {
+                String name = run.relativize(file).toString();
+                boolean differs = name.endsWith("_Performance_log.txt")
+                        || name.startsWith("checkpoint")
+                        || name.equals("status.json")
+                        || name.equals("parameters.properties");
+                if (!differs) {
+                    content.put(name, Files.readString(file));
+                }
+            }
+        }
+        return content;
+    }
+
+    @Test
+    void killedAgainAndAgain_theSameCommandCompletes_withTheSameFiles() throws Exception {
+        Path base = folder.resolve("killed");
+        int killed = 0;
+        for (int session = 1; session < 50; session++) {
+            Process process = start(base);
+            if (process.waitFor(600L + 150L * session, TimeUnit.MILLISECONDS)) {
+                assertThat(process.exitValue()).as(output()).isZero();
+                break;
+            }
+            signal("KILL", process);
+            assertThat(finish(process)).isEqualTo(137);
+            killed++;
+        }
+        assertThat(killed).isPositive();
+        assertThat(finish(start(base))).isZero();
+        assertSameAsWhole(base);
+    }
+
+    @Test
+    void terminated_leavesWithinFiveSeconds_saysHowToGoOn_andGoesOn() throws Exception {
+        for (Map.Entry<String, Integer> signal : Map.of("TERM", 143, "INT", 130).entrySet()) {
+            Path base = folder.resolve(signal.getKey());
+            Process process = start(base);
+            awaitCheckpoint(process, base);
+            signal(signal.getKey(), process);
+            long before = System.nanoTime();
+            assertThat(finish(process)).isEqualTo(signal.getValue());
+            assertThat(Duration.ofNanos(System.nanoTime() - before)).isLessThan(Duration.ofMinutes(1));
+            assertThat(output()).contains("give the same command again").contains("base=" + base);
+            assertThat(base.resolve("2M0/lock.json")).doesNotExist();
+            assertThat(finish(start(base))).isZero();
+            assertSameAsWhole(base);
+        }
+    }
+
+    @Test
+    void secondProcess_isRefused_andHarmsNothing() throws Exception {
+        Path base = folder.resolve("twice");
+        Process first = start(base);
+        while (first.isAlive() && !Files.exists(base.resolve("2M0/lock.json"))) {
+            Thread.onSpinWait();
+        }
+        signal("STOP", first);
+        List<String> single = new ArrayList<>(command(base).command());
+        single.set(single.indexOf("runs=2"), "run=0");
+        Process second = new ProcessBuilder(single)
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.appendTo(new File(folder.toFile(), "output.txt")))
+                .start();
+        assertThat(finish(second)).as(output()).isEqualTo(3);
+        assertThat(output()).contains("is in use by process " + first.pid());
+        signal("CONT", first);
+        assertThat(finish(first)).isZero();
+        assertSameAsWhole(base);
+    }
+
+    @Test
+    void fullDisk_endsWithOneLine_andTheSameCommandGoesOn() throws Exception {
+        Path base = folder.resolve("full");
+        List<String> limited = new ArrayList<>(List.of("bash", "-c", "ulimit -f 24; exec \"$@\"", "bash"));
+        limited.addAll(command(base).command());
+        // A limit on the size of files stops the writing of the larger ones as a full disk would.
+        limited.add(limited.indexOf("-Xmx512m"), "-XX:-UsePerfData");
+        Process process = new ProcessBuilder(limited)
+                .redirectErrorStream(true)
+                .redirectOutput(new File(folder.toFile(), "full.txt"))
+                .start();
+        assertThat(finish(process)).isEqualTo(1);
+        assertThat(Files.readString(folder.resolve("full.txt")))
+                .contains("what was complete is kept")
+                .doesNotContain("\tat ");
+        assertThat(finish(start(base))).isZero();
+        assertSameAsWhole(base);
+    }
+}

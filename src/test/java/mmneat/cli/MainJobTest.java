@@ -1,0 +1,101 @@
+package mmneat.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+/** The main job, {@code status} and {@code params} as words on the command line. */
+class MainJobTest {
+
+    @TempDir
+    Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    private int execute(String... words) {
+        CommandLine line = Main.commandLine();
+        line.setOut(new PrintWriter(out, true));
+        line.setErr(new PrintWriter(errors, true));
+        return line.execute(words);
+    }
+
+    private int evolve(String... more) {
+        String[] words = new String[more.length + 5];
+        words[0] = "task=mmneat.experiment.XorTask";
+        words[1] = "mating=true";
+        words[2] = "mu=5";
+        words[3] = "maxGens=2";
+        words[4] = "base=" + folder.resolve("xor");
+        System.arraycopy(more, 0, words, 5, more.length);
+        return execute(words);
+    }
+
+    @Test
+    void experiment_endsWithATableOfChampions_aLearningCurve_andWhatToDoNext() {
+        assertThat(evolve("runs=2")).isZero();
+        assertThat(out.toString())
+                .contains("XorTask-1M: 2 runs in " + folder.resolve("xor"))
+                .containsPattern("run +score +median +folder")
+                .contains(folder.resolve("xor").resolve("1M1").toString())
+                .contains("mmneat.jar network " + folder.resolve("xor"))
+                .doesNotContain("\u001b");
+        assertThat(folder.resolve("xor/XorTask-1M_learning-curve.svg"))
+                .content()
+                .contains("<svg");
+        assertThat(folder.resolve("xor/XorTask-1M_learning-curve.png")).isNotEmptyFile();
+        assertThat(errors.toString()).isEmpty();
+
+        assertThat(execute("status", folder.toString())).isZero();
+        assertThat(out.toString()).contains("2 of 2 finished; champions: best");
+        assertThat(evolve("runs=2")).isZero();
+        assertThat(out.toString()).contains("2 runs were complete before");
+        assertThat(evolve("runs=3", "maxGens=2", "quiet=true")).isZero();
+    }
+
+    @Test
+    void quiet_printsNothing() {
+        assertThat(evolve("quiet=true")).isZero();
+        assertThat(out.toString()).isEmpty();
+        assertThat(errors.toString()).isEmpty();
+    }
+
+    @Test
+    void status_ofAFolderWithoutRuns_isAMistake() {
+        assertThat(execute("status", folder.toString())).isEqualTo(2);
+        assertThat(errors.toString().lines()).singleElement().asString().contains("holds no runs");
+        assertThat(execute("status", folder.resolve("none").toString())).isEqualTo(2);
+    }
+
+    @Test
+    void noWord_showsTheFewCommandsANewcomerNeeds() {
+        assertThat(execute()).isZero();
+        assertThat(out.toString()).contains("task=blended", "status", "params", "--help");
+    }
+
+    @Test
+    void mistakes_areOneLine_withExitCode2() {
+        assertThat(execute("task=blended", "maxGen=3")).isEqualTo(2);
+        assertThat(execute("task=isolated")).isEqualTo(2);
+        assertThat(execute("evolve")).isEqualTo(2);
+        assertThat(errors.toString().lines())
+                .hasSize(3)
+                .anyMatch(line -> line.contains("did you mean 'maxGens'?"))
+                .anyMatch(line -> line.contains("mazePowerPillGhostMapping=FILE"));
+    }
+
+    @Test
+    void params_listsThem_andDescribesOne() {
+        assertThat(execute("params")).isZero();
+        assertThat(out.toString()).contains("mu=50", "crossoverRate=0.5").doesNotContain("tugAlpha");
+        assertThat(execute("params", "crossoverRate")).isZero();
+        assertThat(out.toString()).contains("allowed   a number from 0.0 to 1.0");
+        assertThat(execute("params", "crosoverRate")).isEqualTo(2);
+        assertThat(errors.toString()).contains("did you mean 'crossoverRate'?");
+    }
+}
