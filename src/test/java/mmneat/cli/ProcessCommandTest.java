@@ -58,6 +58,17 @@ class ProcessCommandTest {
                         + ": no run has completed a generation; give the words that the runs were made with");
     }
 
+    @Test
+    void damagedLog_isNamed() throws IOException {
+        assertThat(run(TASK, "base=" + base, "saveTo=A", "log=X", "mu=4", "maxGens=1", "quiet=true"))
+                .isZero();
+        Path log = Files.writeString(base.resolve("A0/X0_parents_log.txt"), "0\t1.0\tmuch\t\n");
+
+        assertThat(run("process", TASK, "base=" + base, "saveTo=A", "log=X")).isEqualTo(2);
+
+        assertThat(errors.toString()).startsWith("mmneat: " + log + ", line 1: not a row of numbers: 0\t1.0\tmuch");
+    }
+
     private List<Double> hypervolumes(String file) throws IOException {
         try (Stream<String> lines = Files.lines(base.resolve(file))) {
             return lines.map(line -> Double.valueOf(line.split("\t")[1])).toList();

@@ -1,7 +1,6 @@
 package mmneat.experiment.files;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,6 +11,7 @@ import java.util.stream.Stream;
 import mmneat.evolution.SampleStatistics;
 import mmneat.evolution.Task;
 import mmneat.experiment.RunFolder;
+import mmneat.experiment.UserError;
 import mmneat.nsga2.Hypervolume;
 
 /**
@@ -50,8 +50,8 @@ public final class RunSummaries {
     /**
      * Writes the summaries of these runs.
      *
-     * @throws UncheckedIOException if a run's files cannot be read, or a summary cannot be written
-     * @throws IllegalArgumentException if a file does not hold the numbers that it should; the message names it
+     * @throws UserError if a run's file cannot be read or does not hold the numbers that it should; the message names it
+     * @throws java.io.UncheckedIOException if a summary cannot be written
      */
     public void write(List<Integer> runs) {
         writeHypervolumes(runs);
@@ -172,7 +172,7 @@ public final class RunSummaries {
             IntStream.range(0, lines.size()).forEach(i -> rows.add(numbers(path, i, lines.get(i))));
             return rows;
         } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            throw new UserError(path + ": cannot be read: " + e.getClass().getSimpleName(), e);
         }
     }
 
@@ -182,7 +182,7 @@ public final class RunSummaries {
                     .mapToDouble(Double::parseDouble)
                     .toArray();
         } catch (NumberFormatException e) {
-            throw new IllegalArgumentException(file + ", line " + (index + 1) + ": not a row of numbers: " + line, e);
+            throw new UserError(file + ", line " + (index + 1) + ": not a row of numbers: " + line, e);
         }
     }
 }
