@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
             NetworkCommand.class,
             PlayCommand.class,
             ProcessCommand.class,
+            RecordGhostsCommand.class,
             ReplayCommand.class,
             SubmitCommand.class
         })

@@ -47,10 +47,7 @@ public final class Tasks {
 
     private static GhostLocations locations(String file) {
         if (file.isEmpty()) {
-            throw new UserError(
-                    "the isolated task needs a file of recorded ghost locations, one line for each moment when a"
-                            + " power pill was eaten: maze, power pill, and the nodes of the four ghosts; name it with"
-                            + " mazePowerPillGhostMapping=FILE (docs/files.md says how it is recorded)");
+            return GhostLocations.shipped();
         }
         Path path = Path.of(file);
         try (Reader reader = Files.newBufferedReader(path)) {

@@ -76,6 +76,12 @@ public record MsPacManTaskSettings(
         return new MsPacManTaskSettings(version, number, rules, sensors, division, arbitration, ghosts, deterministic);
     }
 
+    /** The same with other rules of a full game. */
+    public MsPacManTaskSettings withRules(GameRules ofFullGame) {
+        return new MsPacManTaskSettings(
+                version, trials, ofFullGame, sensors, division, arbitration, ghosts, deterministic);
+    }
+
     /** The same for multitask networks. */
     public MsPacManTaskSettings withDivision(ModuleDivision ofTask) {
         return new MsPacManTaskSettings(version, trials, rules, sensors, ofTask, arbitration, ghosts, deterministic);

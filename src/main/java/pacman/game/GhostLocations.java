@@ -2,7 +2,11 @@ package pacman.game;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.io.Reader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import pacman.game.internal.Mazes;
 
@@ -11,7 +15,7 @@ import pacman.game.internal.Mazes;
  * the isolated task. Immutable.
  *
  * <p>The text has one situation per line, six whitespace-separated integers: maze, power pill, and the nodes of Blinky, Pinky,
- * Inky and Sue. The first {@value #SITUATIONS} lines of each maze and power pill count.
+ * Inky and Sue. The first {@value #SITUATIONS} lines of each maze and power pill count. Every line is checked.
  *
  * <p>Source: spec/simulator.md, section 7 (database file).
  */
@@ -22,6 +26,9 @@ public final class GhostLocations {
 
     private static final int POWER_PILLS = 4;
 
+    /** Our own recording, of games of a champion that this program evolved; docs/champions.md tells how it was made. */
+    private static final String SHIPPED = "ghost-locations.txt";
+
     /** Nodes, index ((maze 4 + power pill) 100 + situation) 4 + ghost. */
     private final short[] nodes;
 
@@ -29,11 +36,22 @@ public final class GhostLocations {
         this.nodes = nodes;
     }
 
+    /** The recording that comes with the program. */
+    public static GhostLocations shipped() {
+        try (InputStream bytes = GhostLocations.class.getResourceAsStream(SHIPPED);
+                Reader text = new InputStreamReader(bytes, StandardCharsets.UTF_8)) {
+            return read(SHIPPED, text);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
     /**
      * Reads a recording.
      *
      * @param source name for error messages
-     * @throws IllegalArgumentException if a line is not understood or a power pill has too few situations
+     * @throws IllegalArgumentException if a line is not understood, names a node that no ghost can stand on, or if a power
+     *     pill has too few situations
      */
     public static GhostLocations read(String source, Reader text) throws IOException {
         short[] nodes = new short[Constants.NUM_MAZES * POWER_PILLS * SITUATIONS * Constants.NUM_GHOSTS];
@@ -76,6 +94,7 @@ public final class GhostLocations {
     }
 
     private static void requireNodes(int[] fields, String where) {
+        // The lair is the last node.
         int nodes = Mazes.standard().get(fields[0]).graph().lair();
         for (int ghost = 0; ghost < Constants.NUM_GHOSTS; ghost++) {
             int node = fields[2 + ghost];

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.io.StringReader;
 import org.junit.jupiter.api.Test;
+import pacman.game.internal.Mazes;
 
 /** Rules check themselves and say what is wrong. */
 class GameRulesTest {
@@ -52,6 +53,19 @@ class GameRulesTest {
                 .hasMessageStartingWith("places.txt:1: expected six integers");
         assertThatThrownBy(() -> GhostLocations.read("places.txt", new StringReader("0 0 1 2 3 4\n")))
                 .hasMessageContaining("maze 0, power pill 0 has 1 situations, 100 are needed");
+        assertThatThrownBy(() -> GhostLocations.read("places.txt", new StringReader("4 0 1 2 3 4\n")))
+                .hasMessageStartingWith("places.txt:1: expected six integers");
+        assertThatThrownBy(() -> GhostLocations.read("places.txt", new StringReader("0 0 1 2 3 -4\n")))
+                .hasMessageStartingWith("places.txt:1: node -4 is not in maze 0");
+        int lair = Mazes.standard().get(2).graph().lair();
+        assertThatThrownBy(() -> GhostLocations.read("places.txt", new StringReader("2 0 " + lair + " 2 3 4\n")))
+                .hasMessageStartingWith("places.txt:1: node " + lair);
+    }
+
+    @Test
+    void shippedGhostLocations_areComplete() {
+        GhostLocations shipped = GhostLocations.shipped();
+        assertThat(shipped.node(3, 3, GhostLocations.SITUATIONS - 1, 3)).isPositive();
     }
 
     @Test
