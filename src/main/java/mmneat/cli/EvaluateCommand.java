@@ -40,6 +40,7 @@ import picocli.CommandLine.Spec;
                     + " again. compare, report and the figures use the evaluations under training rules.",
             "Example: mmneat evaluate results/blended games=1000",
             "Example: mmneat evaluate results/blended/2M0 rules=FourMaze",
+            "Example: mmneat evaluate champion=blended games=100",
             "",
         })
 final class EvaluateCommand implements Runnable, WordCommand {
@@ -56,6 +57,7 @@ final class EvaluateCommand implements Runnable, WordCommand {
     @Override
     public List<Word> knownWords() {
         return List.of(
+                ChosenChampion.WORD,
                 new Word("games", "1000", "games per champion (default 1000)"),
                 new Word(
                         "rules",
@@ -100,9 +102,13 @@ final class EvaluateCommand implements Runnable, WordCommand {
         }
     }
 
-    /** The champions of all runs that the plain words lead to, or the networks that they name. */
+    /** The champions of all runs that the plain words lead to, or the networks that they name, or the shipped one. */
     private static List<Champion> champions(Words words) {
         List<Champion> champions = new ArrayList<>();
+        if (words.has(ChosenChampion.WORD.name())) {
+            champions.add(ChosenChampion.of(words, null));
+            return champions;
+        }
         for (Path path : CompareCommand.experimentPaths(words, "evaluate")) {
             if (Files.isRegularFile(path)) {
                 champions.add(Champion.read(path));

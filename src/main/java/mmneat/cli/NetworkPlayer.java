@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
+import mmneat.analysis.evaluation.ShippedChampions;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.NetworkPacMan;
 import mmneat.mspacman.modules.ModuleDivision;
@@ -15,26 +16,41 @@ import mmneat.neat.io.GenotypeFormatException;
 import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 
-/** Ms. Pac-Man's controller from a file with an evolved network. */
+/** Ms. Pac-Man's controller from a file with an evolved network, or from a network that comes with the program. */
 final class NetworkPlayer {
+
+    /** A champion that comes with the program is named by this and its version. */
+    static final String SHIPPED = "champion:";
 
     private NetworkPlayer() {}
 
-    /** Whether a name means a network's file and not a class. */
-    static boolean isFile(String name) {
+    /** Whether a name means a network and not a class. */
+    static boolean isNetwork(String name) {
         String lower = name.toLowerCase(Locale.ROOT);
-        return lower.endsWith(".json") || lower.endsWith(".xml");
+        return lower.startsWith(SHIPPED) || lower.endsWith(".json") || lower.endsWith(".xml");
+    }
+
+    private static Genotype genotype(String name) throws IOException {
+        if (!name.toLowerCase(Locale.ROOT).startsWith(SHIPPED)) {
+            return GenotypeFiles.read(Path.of(name));
+        }
+        String version = name.substring(SHIPPED.length());
+        if (!ShippedChampions.versions().contains(version)) {
+            throw Words.badValue(
+                    "pacman", name, SHIPPED + " and one of " + String.join(", ", ShippedChampions.versions()));
+        }
+        return ShippedChampions.read(version).genotype();
     }
 
     /**
-     * Makes controllers with the network of a file.
+     * Makes controllers with the network of a file, or with one that comes with the program.
      *
      * @param division of a multitask network, if the user says one
      * @throws UserError if the file holds no network, or one that does not play Ms. Pac-Man
      */
     static Supplier<Controller<MOVE>> read(String file, Optional<String> division, long seed) {
         try {
-            Genotype genotype = GenotypeFiles.read(Path.of(file));
+            Genotype genotype = genotype(file);
             ModuleDivision ofTask = division.map(ModuleDivisions::named).orElse(null);
             Supplier<Controller<MOVE>> players = () -> NetworkPacMan.published(genotype, ofTask, seed);
             // A network that does not fit is found before the first game.

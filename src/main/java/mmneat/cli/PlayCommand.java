@@ -70,7 +70,9 @@ final class PlayCommand implements Runnable, WordCommand {
                 new Word(
                         "pacman",
                         "StarterPacMan",
-                        "class of Ms. Pac-Man's controller, a file with an evolved network (champion.json), or " + HUMAN
+                        "class of Ms. Pac-Man's controller, a file with an evolved network (champion.json),"
+                                + " champion:blended|interleaved|isolated for one that comes with the program, or "
+                                + HUMAN
                                 + " with view=true"),
                 new Word(
                         "division",
@@ -147,7 +149,7 @@ final class PlayCommand implements Runnable, WordCommand {
             if (human) {
                 pacMan = null;
                 pacManName = HUMAN;
-            } else if (NetworkPlayer.isFile(player)) {
+            } else if (NetworkPlayer.isNetwork(player)) {
                 pacMan = NetworkPlayer.read(player, words.text("division"), seed);
                 pacManName = player;
             } else {

@@ -10,7 +10,6 @@ import mmneat.analysis.replay.Replay;
 import mmneat.analysis.replay.ReplayPage;
 import mmneat.analysis.replay.ReplayTitle;
 import mmneat.experiment.PublishedConfigurations;
-import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -22,12 +21,13 @@ import picocli.CommandLine.Spec;
         name = "watch",
         mixinStandardHelpOptions = true,
         sortOptions = false,
-        customSynopsis = "mmneat watch FILE [name=value...]",
+        customSynopsis = "mmneat watch [FILE] [name=value...]",
         description = {
             "Lets a network play Ms. Pac-Man and writes the game as a web page: the maze, the module in charge, the senses"
                     + " and the network at every step. The page needs no server and no network.",
             "",
             "FILE is the folder of a run (its champion) or the file of a network, ours or the original's.",
+            "Example: mmneat watch champion=blended",
             "Example: mmneat watch results/blended/2M0 out=game.html seed=3",
             "",
         })
@@ -42,6 +42,7 @@ final class WatchCommand implements Runnable, WordCommand {
     @Override
     public List<Word> knownWords() {
         return List.of(
+                ChosenChampion.WORD,
                 new Word("out", "FILE", "the page to write (default: the network's name with .html, in this folder)"),
                 new Word("seed", "0", "which game: the same seed gives the same game (default 0)"),
                 new Word(
@@ -58,10 +59,7 @@ final class WatchCommand implements Runnable, WordCommand {
     @Override
     public void run() {
         Words words = Words.parse(arguments, this, 1);
-        if (words.plain().isEmpty()) {
-            throw new UserError("no network is given; write mmneat watch results/blended/2M0, for example");
-        }
-        Champion champion = Champion.read(Path.of(words.plain().get(0)));
+        Champion champion = ChosenChampion.of(words, null);
         Rules rules = Rules.of(words.text("rules", Rules.TRAINING.label()));
         long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         MsPacManTaskSettings settings = ChampionWords.settings(words, champion, rules);

@@ -20,7 +20,7 @@ public record TrialGame(String name, GameRules rules, boolean countsGhosts) {
     private static final int CORNERS = 4;
 
     /** The games of a trial, in the order in which they are played. */
-    static List<TrialGame> of(TaskVersion version, GameRules rules) {
+    public static List<TrialGame> of(TaskVersion version, GameRules rules) {
         if (version != TaskVersion.ISOLATED) {
             return List.of(new TrialGame("", rules, true));
         }

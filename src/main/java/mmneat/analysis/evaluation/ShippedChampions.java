@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import mmneat.neat.io.GenotypeFormatException;
 import mmneat.neat.io.GenotypeJson;
 
@@ -37,7 +38,7 @@ public final class ShippedChampions {
                 throw new IllegalArgumentException("no champion of the version " + version + " comes with the program");
             }
             String json = new String(bytes.readAllBytes(), StandardCharsets.UTF_8);
-            return new Champion(GenotypeJson.read(json), Path.of(name), Map.of("task", version));
+            return new Champion(GenotypeJson.read(json), Path.of(name), Optional.empty(), Map.of("task", version));
         } catch (GenotypeFormatException e) {
             throw new IllegalStateException(name + ": " + e.getMessage(), e);
         } catch (IOException e) {

@@ -1,0 +1,111 @@
+package mmneat.analysis.tasks;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.TaskVersion;
+import mmneat.mspacman.modules.ModuleDivision;
+import mmneat.mspacman.modules.ModuleDivisions;
+import mmneat.mspacman.sensors.Situation;
+
+/**
+ * A human's division of the game into tasks.
+ *
+ * @param name as users write it
+ * @param tasks at least two, at most 31
+ */
+public record TaskDivision(String name, List<TaskPredicate> tasks) {
+
+    private static final int MOST_TASKS = 31;
+
+    private static final Map<String, TaskPredicate> KNOWN = known();
+
+    public TaskDivision {
+        tasks = List.copyOf(tasks);
+        if (tasks.size() < 2 || tasks.size() > MOST_TASKS) {
+            throw new IllegalArgumentException(
+                    name + ": a division has 2 to " + MOST_TASKS + " tasks, not " + tasks.size());
+        }
+    }
+
+    private static Map<String, TaskPredicate> known() {
+        Map<String, TaskPredicate> known = new LinkedHashMap<>();
+        add(known, new TaskPredicate("threats", situation -> situation.threats() > 0));
+        add(known, new TaskPredicate("edible", situation -> situation.edibleGhosts() > 0));
+        add(known, new TaskPredicate("pills", TaskDivision::arePillsLeft));
+        add(known, new TaskPredicate("noPills", situation -> !arePillsLeft(situation)));
+        return known;
+    }
+
+    private static void add(Map<String, TaskPredicate> known, TaskPredicate predicate) {
+        known.put(predicate.name(), predicate);
+    }
+
+    private static boolean arePillsLeft(Situation situation) {
+        return situation.pillsLeft() > 0 || situation.powerPillsLeft() > 0;
+    }
+
+    /** The names of single predicates. */
+    public static List<String> predicateNames() {
+        return List.copyOf(KNOWN.keySet());
+    }
+
+    /**
+     * The division that fits a version: the pill task and the ghost task for the isolated one, else being among threats and
+     * being among edible ghosts.
+     */
+    public static TaskDivision usual(TaskVersion version) {
+        return named(version == TaskVersion.ISOLATED ? "pills,noPills" : "threats,edible");
+    }
+
+    /**
+     * The division with a name: single predicates separated by commas, or a division among modules, whose modules are the
+     * tasks.
+     *
+     * @throws UserError if there is none
+     */
+    public static TaskDivision named(String name) {
+        if (!name.contains(",")) {
+            return ofModules(name);
+        }
+        List<TaskPredicate> tasks = new ArrayList<>();
+        for (String part : name.split(",")) {
+            TaskPredicate predicate = KNOWN.get(part.strip());
+            if (predicate == null) {
+                throw new UserError("predicates=" + name + ": '" + part.strip() + "' is not one of "
+                        + String.join(", ", KNOWN.keySet()));
+            }
+            tasks.add(predicate);
+        }
+        return new TaskDivision(name, tasks);
+    }
+
+    private static TaskDivision ofModules(String name) {
+        ModuleDivision division;
+        try {
+            division = ModuleDivisions.named(name);
+        } catch (IllegalArgumentException e) {
+            throw new UserError(
+                    "predicates=" + name + ": must be two or more of " + String.join(", ", KNOWN.keySet())
+                            + ", separated by commas, or a division among modules, AnyGhostEdible for example",
+                    e);
+        }
+        List<TaskPredicate> tasks = new ArrayList<>();
+        for (int module = 0; module < division.modules(); module++) {
+            int ofTask = module;
+            tasks.add(new TaskPredicate(name + "=" + module, situation -> division.module(situation) == ofTask));
+        }
+        return new TaskDivision(name, tasks);
+    }
+
+    /** The tasks that are to be done in a state, as bits in their order. */
+    int tasksIn(Situation situation) {
+        int bits = 0;
+        for (int task = 0; task < tasks.size(); task++) {
+            bits |= tasks.get(task).holds().test(situation) ? 1 << task : 0;
+        }
+        return bits;
+    }
+}
