@@ -29,6 +29,7 @@ import picocli.CommandLine.Spec;
         subcommands = {
             CompareCommand.class,
             EvaluateCommand.class,
+            ReportCommand.class,
             WatchCommand.class,
             ParamsCommand.class,
             StatusCommand.class,

@@ -25,6 +25,11 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
     /** Where a run keeps its champion: ours, the original's. */
     private static final List<String> CHAMPION_FILES = List.of("champion.json", "bestPacMan/bestPacMan.xml");
 
+    /** Whether a folder of a run holds its champion. */
+    public static boolean isIn(Path folder) {
+        return CHAMPION_FILES.stream().map(folder::resolve).anyMatch(Files::exists);
+    }
+
     /**
      * Reads the champion of a run's folder, or a genotype file, ours or the original's.
      *

@@ -5,12 +5,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.Stream;
 import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.EvaluationFiles;
 import mmneat.experiment.UserError;
@@ -168,6 +171,28 @@ public final class ChampionEvaluator implements AutoCloseable {
             evaluations.add(job.finish());
         }
         return evaluations;
+    }
+
+    /**
+     * The seed of the game of median score in the evaluation of a run's champion; empty if there was none.
+     *
+     * @throws IOException if its table cannot be read
+     */
+    public static Optional<Long> typicalGame(Path runFolder, Rules rules) throws IOException {
+        Path table = runFolder.resolve(EvaluationFiles.games(rules.label()));
+        if (!Files.exists(table)) {
+            return Optional.empty();
+        }
+        List<GameResult> results;
+        try (Stream<String> lines = Files.lines(table)) {
+            results = lines.skip(2)
+                    .map(GameResult::parse)
+                    .sorted(Comparator.comparingDouble(GameResult::score).thenComparingInt(GameResult::number))
+                    .toList();
+        }
+        return results.isEmpty()
+                ? Optional.empty()
+                : Optional.of(results.get(results.size() / 2).seed());
     }
 
     @Override

@@ -1,5 +1,6 @@
 package mmneat.analysis.results;
 
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -26,6 +27,14 @@ public record Experiment(String version, String method, String label, List<RunRe
         return runs.stream()
                 .mapToDouble(run -> evaluated ? run.evaluation().orElseThrow().meanScore() : run.lastScore())
                 .toArray();
+    }
+
+    /** The run with the best champion: by its evaluation, or without one by the last generation. */
+    public RunResult best() {
+        return runs.stream()
+                .max(Comparator.comparingDouble(run ->
+                        run.evaluation().map(ChampionEvaluation::meanScore).orElse(run.lastScore())))
+                .orElseThrow();
     }
 
     /** The shortest run's number of generations; curves over all runs end there. */

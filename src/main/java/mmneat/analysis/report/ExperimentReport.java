@@ -1,0 +1,201 @@
+package mmneat.analysis.report;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.BiFunction;
+import java.util.stream.Collectors;
+import mmneat.analysis.ExperimentComparison;
+import mmneat.analysis.Page;
+import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.figures.Figure;
+import mmneat.analysis.figures.LearningCurveFigure;
+import mmneat.analysis.figures.ModuleUseFigure;
+import mmneat.analysis.results.ChampionEvaluation;
+import mmneat.analysis.results.Experiment;
+import mmneat.analysis.results.PublishedResults;
+import mmneat.analysis.results.RunResult;
+import mmneat.analysis.statistics.ComparisonReport;
+import mmneat.analysis.statistics.Numbers;
+import mmneat.analysis.statistics.TextTable;
+import mmneat.neat.Genotype;
+import mmneat.neat.io.NetworkSvg;
+
+/** Writes the page about a set of experiments: one file with everything in it but the replays, which it links to. */
+public final class ExperimentReport {
+
+    /** Parameters of a run that every reader wants to know, in the order of the table. */
+    private static final List<String> SETTINGS = List.of(
+            "task",
+            "mu",
+            "maxGens",
+            "trials",
+            "startingModes",
+            "mmdRate",
+            "multitaskModes",
+            "pacmanMultitaskScheme",
+            "crossoverRate",
+            "netLinkRate",
+            "netSpliceRate",
+            "perLinkMutateRate",
+            "edibleTime",
+            "lairTime",
+            "pacManLevelTimeLimit",
+            "parallelEvaluations");
+
+    private final List<Experiment> experiments;
+    private final ExperimentComparison comparison;
+    private final PublishedResults paper = PublishedResults.read();
+
+    public ExperimentReport(List<Experiment> experiments, ExperimentComparison comparison) {
+        this.experiments = List.copyOf(experiments);
+        this.comparison = comparison;
+    }
+
+    /** The figures of each version of the task. */
+    public List<Figure> figures() {
+        List<Figure> figures = new ArrayList<>();
+        Map<String, List<Experiment>> versions = experiments.stream()
+                .collect(Collectors.groupingBy(Experiment::version, LinkedHashMap::new, Collectors.toList()));
+        versions.forEach((version, ofVersion) -> {
+            figures.add(LearningCurveFigure.overview(version, ofVersion, paper));
+            figures.add(LearningCurveFigure.panels(version, ofVersion, paper));
+            ModuleUseFigure.of(version, ofVersion, paper).ifPresent(figures::add);
+        });
+        return figures;
+    }
+
+    /**
+     * The page.
+     *
+     * @param title heading
+     * @param replays gives the link to the replay of a run's champion, or null if it has none
+     */
+    public String html(String title, List<Figure> figures, BiFunction<Experiment, RunResult, String> replays) {
+        int runs = experiments.stream().mapToInt(e -> e.runs().size()).sum();
+        return new Page("report", "report.html")
+                .withText("title", title)
+                .withText("subtitle", experiments.size() + " experiments, " + runs + " runs")
+                .with(
+                        "notes",
+                        comparison.notes().stream()
+                                .map(note -> "<p class=\"note\">" + Page.escape(note) + "</p>\n")
+                                .collect(Collectors.joining()))
+                .with(
+                        "figures",
+                        figures.stream()
+                                .map(figure -> "<figure>" + Html.image(figure.svg(), figure.caption()) + "<figcaption>"
+                                        + Page.escape(figure.caption()) + "</figcaption></figure>\n")
+                                .collect(Collectors.joining()))
+                .with("statistics", statistics())
+                .with(
+                        "champions",
+                        experiments.stream()
+                                .map(experiment -> champions(experiment, replays))
+                                .collect(Collectors.joining()))
+                .with("settings", settings())
+                .html();
+    }
+
+    private String statistics() {
+        ComparisonReport report = comparison.report();
+        StringBuilder html = new StringBuilder();
+        html.append("<h3>").append(Page.escape(comparison.heading())).append("</h3>\n");
+        html.append(Html.table(report.groups()));
+        html.append("<p>").append(Page.escape(report.overall())).append("</p>\n");
+        if (!report.pairs().rows().isEmpty()) {
+            html.append("<h3>All pairs</h3>\n").append(Html.table(report.pairs()));
+            html.append("<p>Two-sided Mann-Whitney U test; p corrected after Bonferroni; A is the chance that the first"
+                    + " scores higher; * marks corrected p below 0.05.</p>\n");
+        }
+        if (report.hasPaper()) {
+            html.append("<h3>Against the paper's champions</h3>\n").append(Html.table(report.againstPaper()));
+        }
+        return html.toString();
+    }
+
+    private static String champions(Experiment experiment, BiFunction<Experiment, RunResult, String> replays) {
+        RunResult best = experiment.best();
+        StringBuilder html =
+                new StringBuilder("<h3>" + Page.escape(experiment.label()) + "</h3>\n<div class=\"scroll\">"
+                        + "<table><thead><tr><th>run</th><th>last generation</th><th>after evolution</th><th>95 % interval</th>"
+                        + "<th>most-used module</th><th>modules</th><th>neurons</th><th>links</th><th>replay</th>"
+                        + "<th>network</th></tr></thead><tbody>\n");
+        for (RunResult run : experiment.runs()) {
+            html.append(run == best ? "<tr class=\"best\">" : "<tr>");
+            cell(html, String.valueOf(run.number()));
+            cell(html, Numbers.score(run.lastScore()));
+            ChampionEvaluation evaluation = run.evaluation().orElse(null);
+            cell(html, evaluation == null ? "-" : Numbers.score(evaluation.meanScore()));
+            cell(
+                    html,
+                    evaluation == null
+                            ? "-"
+                            : Numbers.score(evaluation.low()) + " to " + Numbers.score(evaluation.high()));
+            cell(html, evaluation == null ? "-" : Numbers.decimal(evaluation.mostUsedModulePercent(), 1) + " %");
+            network(html, run, replays.apply(experiment, run));
+            html.append("</tr>\n");
+        }
+        return html.append("</tbody></table></div>\n").toString();
+    }
+
+    private static void network(StringBuilder html, RunResult run, String replay) {
+        if (!Champion.isIn(run.folder())) {
+            for (int column = 0; column < 5; column++) {
+                cell(html, "-");
+            }
+            return;
+        }
+        Genotype genotype = Champion.read(run.folder()).genotype();
+        cell(html, String.valueOf(genotype.modules()));
+        cell(html, String.valueOf(genotype.nodes().size()));
+        cell(html, String.valueOf(genotype.links().size()));
+        html.append("<td>")
+                .append(replay == null ? "-" : "<a href=\"" + Page.escape(replay) + "\">watch</a>")
+                .append("</td><td><details><summary>show</summary>")
+                .append(Html.image(NetworkSvg.of(genotype, List.of()), "network of run " + run.number()))
+                .append("</details></td>");
+    }
+
+    private static void cell(StringBuilder html, String text) {
+        html.append("<td>").append(Page.escape(text)).append("</td>");
+    }
+
+    private String settings() {
+        String[] header = new String[experiments.size() + 1];
+        header[0] = "parameter";
+        for (int i = 0; i < experiments.size(); i++) {
+            header[i + 1] = experiments.get(i).label();
+        }
+        TextTable table = new TextTable(header);
+        for (String name : SETTINGS) {
+            String[] row = new String[header.length];
+            row[0] = name;
+            boolean known = false;
+            for (int i = 0; i < experiments.size(); i++) {
+                String value = experiments.get(i).runs().get(0).parameters().get(name);
+                known |= value != null && !value.isEmpty();
+                row[i + 1] = Objects.requireNonNullElse(value, "-");
+            }
+            if (known) {
+                table.row(row);
+            }
+        }
+        StringBuilder html = new StringBuilder(Html.table(table));
+        html.append("<p>Every run's folder holds all parameters in parameters.properties.</p><ul>");
+        for (Experiment experiment : experiments) {
+            String numbers = experiment.runs().stream()
+                    .map(run -> String.valueOf(run.number()))
+                    .collect(Collectors.joining(", "));
+            Path folder = experiment.runs().get(0).folder().getParent();
+            html.append("<li>")
+                    .append(Page.escape(experiment.label() + ": runs " + numbers + " in "
+                            + (folder == null ? "this folder" : folder.toString())))
+                    .append("</li>");
+        }
+        return html.append("</ul>\n").toString();
+    }
+}

@@ -1,0 +1,2 @@
+/** One page about a set of experiments: settings, curves, statistics, champions. */
+package mmneat.analysis.report;
