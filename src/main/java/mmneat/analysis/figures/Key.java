@@ -3,7 +3,6 @@ package mmneat.analysis.figures;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
@@ -35,19 +34,17 @@ record Key(String text, Sign sign, Color color, BasicStroke stroke) {
 
     /** Draws entries in one row, in the middle of a width. */
     static void paint(Graphics2D graphics, List<Key> keys, int width) {
-        graphics.setFont(FONT);
-        FontMetrics metrics = graphics.getFontMetrics(FONT);
-        int all = -BETWEEN;
+        double all = -BETWEEN;
         for (Key key : keys) {
-            all += SIGN_WIDTH + GAP + metrics.stringWidth(key.text) + BETWEEN;
+            all += SIGN_WIDTH + GAP + Letters.width(key.text, FONT) + BETWEEN;
         }
-        double x = (width - all) / 2.0;
+        double x = (width - all) / 2;
         double middle = HEIGHT / 2.0 - 3;
         for (Key key : keys) {
             key.paintSign(graphics, x, middle);
             graphics.setColor(Color.BLACK);
-            graphics.drawString(key.text, (float) (x + SIGN_WIDTH + GAP), (float) (middle + 4));
-            x += SIGN_WIDTH + GAP + metrics.stringWidth(key.text) + BETWEEN;
+            Letters.draw(graphics, key.text, FONT, x + SIGN_WIDTH + GAP, middle + 4);
+            x += SIGN_WIDTH + GAP + Letters.width(key.text, FONT) + BETWEEN;
         }
     }
 

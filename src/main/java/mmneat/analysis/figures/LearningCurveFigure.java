@@ -54,7 +54,7 @@ public final class LearningCurveFigure {
             Experiment experiment = experiments.get(i);
             panel.label(
                     experiment.label(),
-                    Math.max(1, last) * 1.012,
+                    experiment.generations() + Math.max(1, last) * 0.012,
                     places[i],
                     MethodStyle.of(experiment.method(), i).color());
         }

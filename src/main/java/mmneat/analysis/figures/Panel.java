@@ -145,13 +145,14 @@ final class Panel {
                 graphics.draw(path);
             }
         }
-        graphics.setFont(LABEL_FONT);
         for (Label label : labels) {
             graphics.setColor(label.color);
-            graphics.drawString(
+            Letters.draw(
+                    graphics,
                     label.text,
-                    (float) chart.getScreenXFromChart(label.x),
-                    (float) chart.getScreenYFromChart(label.y) + LABEL_FONT.getSize() / 3f);
+                    LABEL_FONT,
+                    chart.getScreenXFromChart(label.x),
+                    chart.getScreenYFromChart(label.y) + LABEL_FONT.getSize() / 3.0);
         }
     }
 

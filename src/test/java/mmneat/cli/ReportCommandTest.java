@@ -1,0 +1,104 @@
+package mmneat.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import mmneat.analysis.HeadlessChromium;
+import mmneat.analysis.results.RunFixture;
+import mmneat.neat.InitialNetworks;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.io.GenotypeJson;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+/** The page about experiments, and the replays that it links to, as their readers see them. */
+class ReportCommandTest {
+
+    @TempDir
+    Path base;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    private int execute(String... arguments) {
+        CommandLine line = Main.commandLine();
+        line.setOut(new PrintWriter(out, true));
+        line.setErr(new PrintWriter(errors, true));
+        return line.execute(arguments);
+    }
+
+    @BeforeEach
+    void twoMethodsWithChampions() throws IOException {
+        for (int run = 0; run < 2; run++) {
+            Path one = RunFixture.run(base, "blended", "1M", run, 1000, 2000 + run);
+            Path two = RunFixture.run(base, "blended", "2M", run, 1500, 4000 + run);
+            RunFixture.evaluation(one, 1800 + run, 10);
+            RunFixture.evaluation(two, 3500 + run, 90, 10);
+            champion(one, ModuleLayout.single(1), run);
+            champion(two, ModuleLayout.withPreferenceNeurons(2, 1), run);
+        }
+    }
+
+    private static void champion(Path folder, ModuleLayout layout, long seed) throws IOException {
+        Files.writeString(
+                folder.resolve("champion.json"),
+                GenotypeJson.write(new InitialNetworks(30, layout).create(1, new ResumableRandom(seed))));
+    }
+
+    @Test
+    void report_opensFromDisk_withFiguresStatisticsChampionsAndReplays() throws IOException {
+        Path page = base.resolve("report.html");
+        int code = execute(
+                "report",
+                base.resolve("blended").toString(),
+                "out=" + page,
+                "figures=" + base.resolve("pictures"),
+                "replays=best",
+                "title=Two <methods>");
+        assertThat(errors.toString()).isEmpty();
+        assertThat(code).isZero();
+        assertThat(base.resolve("pictures"))
+                .isDirectoryContaining("glob:**blended-curves.svg")
+                .isDirectoryContaining("glob:**blended-medians.png")
+                .isDirectoryContaining("glob:**blended-modules.svg");
+        try (HeadlessChromium browser = HeadlessChromium.start()) {
+            browser.open(page);
+            assertThat(browser.text("h1")).isEqualTo("Two <methods>");
+            browser.evaluate("document.querySelectorAll('img').forEach(i => i.loading = 'eager')");
+            browser.waitUntil("[...document.images].every(i => i.complete && i.naturalWidth > 0)");
+            assertThat(browser.evaluate("document.querySelectorAll('figure img').length")
+                            .asInt())
+                    .isEqualTo(3);
+            assertThat(browser.text("#statistics")).contains("Kruskal-Wallis").contains("2M (paper)");
+            assertThat(browser.text("#champions")).contains("3,501").contains("90.0 %");
+            assertThat(browser.text("#settings")).contains("startingModes");
+            assertThat(browser.evaluate("document.querySelectorAll('#champions a').length")
+                            .asInt())
+                    .isEqualTo(2);
+            Path replay = base.resolve(browser.evaluate("document.querySelector('#champions a').getAttribute('href')")
+                    .asText());
+            browser.open(replay);
+            browser.waitUntil("window.player !== undefined");
+            assertThat(browser.text("h1")).isEqualTo("blended 1M, run 1");
+            browser.press("End");
+            assertThat(browser.text("#score")).isNotEqualTo("0");
+            assertThat(browser.complaints()).isEmpty();
+        }
+    }
+
+    @Test
+    void report_withoutReplays_linksToNone() throws IOException {
+        Path page = base.resolve("report.html");
+        assertThat(execute("report", base.resolve("blended").toString(), "out=" + page, "replays=none"))
+                .isZero();
+        assertThat(Files.readString(page)).doesNotContain(">watch<");
+        assertThat(base.resolve("report-replays")).doesNotExist();
+    }
+}
