@@ -38,7 +38,8 @@ import picocli.CommandLine.Spec;
             ProcessCommand.class,
             RecordGhostsCommand.class,
             ReplayCommand.class,
-            SubmitCommand.class
+            SubmitCommand.class,
+            TasksCommand.class
         })
 public final class Main implements Callable<Integer> {
 

@@ -1,16 +1,25 @@
 package mmneat.cli;
 
+import java.awt.GraphicsEnvironment;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.Rules;
+import mmneat.analysis.replay.GameGif;
 import mmneat.analysis.replay.GameRecording;
+import mmneat.analysis.replay.GameWindow;
 import mmneat.analysis.replay.Replay;
 import mmneat.analysis.replay.ReplayPage;
 import mmneat.analysis.replay.ReplayTitle;
 import mmneat.experiment.PublishedConfigurations;
+import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
+import pacman.game.Constants;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
@@ -29,9 +38,12 @@ import picocli.CommandLine.Spec;
             "FILE is the folder of a run (its champion) or the file of a network, ours or the original's.",
             "Example: mmneat watch champion=blended",
             "Example: mmneat watch results/blended/2M0 out=game.html seed=3",
+            "Example: mmneat watch champion=interleaved out=game.gif",
             "",
         })
 final class WatchCommand implements Runnable, WordCommand {
+
+    private static final int LONGEST_DELAY_MILLISECONDS = 60_000;
 
     @Spec
     private CommandSpec command;
@@ -43,7 +55,13 @@ final class WatchCommand implements Runnable, WordCommand {
     public List<Word> knownWords() {
         return List.of(
                 ChosenChampion.WORD,
-                new Word("out", "FILE", "the page to write (default: the network's name with .html, in this folder)"),
+                new Word(
+                        "out",
+                        "FILE",
+                        "the page to write, or an animated picture if it ends in .gif (default: the network's name with .html, in"
+                                + " this folder)"),
+                new Word("window", "true", "shows the game in a window instead of writing it (default false)"),
+                new Word("delay", "40", "milliseconds per step in the window (default 40)"),
                 new Word("seed", "0", "which game: the same seed gives the same game (default 0)"),
                 new Word(
                         "rules",
@@ -63,18 +81,55 @@ final class WatchCommand implements Runnable, WordCommand {
         Rules rules = Rules.of(words.text("rules", Rules.TRAINING.label()));
         long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         MsPacManTaskSettings settings = ChampionWords.settings(words, champion, rules);
+        Path out = words.path("out").orElse(Path.of(champion.name() + ".html"));
+        if (words.flag("window", false)) {
+            showWindow(words, champion, settings, seed);
+        } else if (out.toString().toLowerCase(Locale.ROOT).endsWith(".gif")) {
+            writeGif(out, champion, settings, seed);
+        } else {
+            writePage(out, champion, settings, rules, seed);
+        }
+        command.commandLine().getOut().flush();
+    }
+
+    private void showWindow(Words words, Champion champion, MsPacManTaskSettings settings, long seed) {
+        int delay = words.integer("delay", Constants.DELAY, 0, LONGEST_DELAY_MILLISECONDS);
+        if (words.has("out")) {
+            throw new UserError("window=true shows the game and writes no file; leave out either window= or out=");
+        }
+        if (GraphicsEnvironment.isHeadless()) {
+            throw new UserError("window=true needs a display, and there is none; write out=game.html or out=game.gif");
+        }
+        int score = GameWindow.show(settings, champion.genotype(), seed, delay);
+        command.commandLine().getOut().printf(Locale.ROOT, "%s: %,d points%n", champion.name(), score);
+    }
+
+    private void writeGif(Path out, Champion champion, MsPacManTaskSettings settings, long seed) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        int frames;
+        try {
+            frames = GameGif.write(settings, champion.genotype(), seed, bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        OutputFile.write(out, bytes.toByteArray());
+        command.commandLine()
+                .getOut()
+                .printf(Locale.ROOT, "%s (%,d frames, %,d kB)%n", out, frames, bytes.size() / 1000);
+    }
+
+    private void writePage(Path out, Champion champion, MsPacManTaskSettings settings, Rules rules, long seed) {
         ReplayTitle title = new ReplayTitle(
-                settings.version().name().toLowerCase(java.util.Locale.ROOT) + " · " + champion.name(),
+                settings.version().name().toLowerCase(Locale.ROOT) + " · " + champion.name(),
                 rules.label() + " rules, seed " + seed + ", network "
                         + champion.genotype().id());
         Replay replay = GameRecording.record(settings, champion.genotype(), seed, title);
-        Path out = words.path("out").orElse(Path.of(champion.name() + ".html"));
         String page = ReplayPage.html(replay);
         OutputFile.write(out, page);
         command.commandLine()
                 .getOut()
                 .printf(
-                        java.util.Locale.ROOT,
+                        Locale.ROOT,
                         "%s, %s: %,d points in %,d steps%n%s (%,d kB): open it in a browser%n",
                         champion.name(),
                         rules.label(),
@@ -82,6 +137,5 @@ final class WatchCommand implements Runnable, WordCommand {
                         replay.steps(),
                         out,
                         page.length() / 1000);
-        command.commandLine().getOut().flush();
     }
 }

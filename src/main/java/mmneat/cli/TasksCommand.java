@@ -1,0 +1,234 @@
+package mmneat.cli;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.IntConsumer;
+import java.util.function.Supplier;
+import mmneat.analysis.statistics.Numbers;
+import mmneat.analysis.statistics.TextTable;
+import mmneat.analysis.tasks.Episode;
+import mmneat.analysis.tasks.TaskDivision;
+import mmneat.analysis.tasks.TaskKind;
+import mmneat.analysis.tasks.TaskMeasurement;
+import mmneat.analysis.tasks.TaskMeter;
+import mmneat.cli.entry.ControllerLoader;
+import mmneat.experiment.ParameterCatalogue;
+import mmneat.experiment.ParameterReader;
+import mmneat.experiment.PublishedConfigurations;
+import mmneat.experiment.Tasks;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
+import pacman.controllers.Controller;
+import pacman.game.Constants.MOVE;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Measures how the game divides into tasks. */
+@Command(
+        name = "tasks",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        customSynopsis = "mmneat tasks [name=value...]",
+        description = {
+            "Measures how the versions of the game divide into tasks: how often the task changes per time step (thrashing"
+                    + " rate), how much of the time tasks overlap, and so whether they are isolated, interleaved or blended.",
+            "",
+            "Predicates: " + TasksCommand.PREDICATES,
+            "Example: mmneat tasks",
+            "Example: mmneat tasks task=blended predicates=AnyGhostEdible players=StarterPacMan,champion.json games=200",
+            "",
+        })
+final class TasksCommand implements Runnable, WordCommand {
+
+    static final String PREDICATES =
+            "threats (a ghost outside the lair is not edible), edible (a ghost is edible), pills (pills or"
+                    + " power pills are left), noPills; or a division among modules, whose modules are the tasks.";
+
+    private static final int GAMES = 100;
+    private static final int PROGRESS_SECONDS = 5;
+    private static final int RATE_DECIMALS = 5;
+
+    @Spec
+    private CommandSpec command;
+
+    @Parameters(hidden = true, paramLabel = "name=value")
+    private List<String> arguments = new ArrayList<>();
+
+    @Override
+    public List<Word> knownWords() {
+        return List.of(
+                new Word(
+                        "task",
+                        String.join("|", PublishedConfigurations.tasks()),
+                        "version of the game (default: all three, one after the other)"),
+                new Word(
+                        "predicates",
+                        "threats,edible",
+                        "two or more of " + String.join(", ", TaskDivision.predicateNames())
+                                + ", or a division such as AnyGhostEdible (default: pills,noPills in the isolated version,"
+                                + " threats,edible in the others)"),
+                new Word(
+                        "players",
+                        "NAME,...",
+                        "controllers, files with evolved networks, champion:blended and the like (default: the champion of"
+                                + " the version)"),
+                new Word(
+                        "games",
+                        "100",
+                        "trials per player; in the isolated version five games each (default " + GAMES + ")"),
+                new Word("seed", "0", "seed of the games (default 0)"),
+                new Word("ghosts", "FILE", "recorded ghost locations, for the isolated version"),
+                new Word("out", "FILE", "writes a line for each game as CSV"));
+    }
+
+    @Override
+    public void run() {
+        Words words = Words.parse(arguments, this, 0);
+        int games = words.integer("games", GAMES, 1, 1_000_000);
+        long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
+        List<String> versions = words.has("task")
+                ? List.of(words.choice("task", "", PublishedConfigurations.tasks()))
+                : PublishedConfigurations.tasks();
+        StringBuilder csv = new StringBuilder(
+                "task,predicates,player,game,steps,switches,thrashing_rate,overlapping_steps,score\n");
+        for (String version : versions) {
+            MsPacManTaskSettings settings = settings(version, words);
+            TaskDivision division = words.text("predicates")
+                    .map(TaskDivision::named)
+                    .orElseGet(() -> TaskDivision.usual(settings.version()));
+            TaskMeter meter = new TaskMeter(settings, division);
+            List<String> names = List.of(
+                    words.text("players", NetworkPlayer.SHIPPED + version).split(","));
+            List<TaskMeasurement> measured = new ArrayList<>();
+            for (String name : names) {
+                TaskMeasurement measurement =
+                        meter.measure(player(name, seed), games, seed, progress(version, name, games));
+                measured.add(measurement);
+                append(csv, version, name, measurement);
+            }
+            print(version, division, names, measured);
+        }
+        words.path("out").ifPresent(out -> OutputFile.write(out, csv.toString()));
+    }
+
+    private static MsPacManTaskSettings settings(String version, Words words) {
+        List<String> parameters = new ArrayList<>(List.of("task=" + version));
+        words.text("ghosts").ifPresent(file -> parameters.add("mazePowerPillGhostMapping=" + file));
+        return ((MsPacManTask) Tasks.factory(new ParameterReader(ParameterCatalogue.load())
+                                .read(parameters)
+                                .parameters())
+                        .get())
+                .settings();
+    }
+
+    private static Supplier<Controller<MOVE>> player(String name, long seed) {
+        if (NetworkPlayer.isNetwork(name)) {
+            return NetworkPlayer.read(name, Optional.empty(), seed);
+        }
+        return new ControllerLoader(List.of()).pacMan(name)::create;
+    }
+
+    private IntConsumer progress(String version, String name, int games) {
+        PrintWriter notes = command.commandLine().getErr();
+        long interval = TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
+        long[] next = {System.nanoTime() + interval};
+        return played -> {
+            if (System.nanoTime() > next[0]) {
+                next[0] += interval;
+                notes.println("tasks: " + version + ", " + name + ": " + played + " of " + games + " trials");
+                notes.flush();
+            }
+        };
+    }
+
+    private void print(String version, TaskDivision division, List<String> names, List<TaskMeasurement> measured) {
+        PrintWriter out = command.commandLine().getOut();
+        out.println(version + ", divided by " + division.name());
+        TextTable table = new TextTable(
+                "player", "games", "mean score", "thrashing rate", "sd", "highest", "overlap", "the tasks are");
+        for (int i = 0; i < names.size(); i++) {
+            TaskMeasurement measurement = measured.get(i);
+            DescriptiveStatistics rates = measurement.thrashingRates();
+            table.row(
+                    names.get(i),
+                    String.valueOf(measurement.episodes().size()),
+                    Numbers.score(measurement.meanScore()),
+                    Numbers.decimal(rates.getMean(), RATE_DECIMALS),
+                    Numbers.decimal(rates.getStandardDeviation(), RATE_DECIMALS),
+                    Numbers.decimal(rates.getMax(), RATE_DECIMALS),
+                    percent(measurement.overlap()),
+                    measurement.kind().name().toLowerCase(Locale.ROOT));
+        }
+        out.print(table.text());
+        for (int i = 0; i < names.size(); i++) {
+            out.println(names.get(i) + ": " + shares(measured.get(i)));
+            out.println(reason(measured.get(i)));
+        }
+        out.println();
+        out.flush();
+    }
+
+    /** How much of the time each task, and each two tasks together, are to be done. */
+    private static String shares(TaskMeasurement measurement) {
+        TaskDivision division = measurement.division();
+        List<String> shares = new ArrayList<>();
+        for (int i = 0; i < division.tasks().size(); i++) {
+            shares.add(division.tasks().get(i).name() + " " + percent(measurement.share(i, i)));
+        }
+        for (int i = 0; i < division.tasks().size(); i++) {
+            for (int j = i + 1; j < division.tasks().size(); j++) {
+                double both = measurement.share(i, j);
+                if (both > 0) {
+                    shares.add(division.tasks().get(i).name() + " and "
+                            + division.tasks().get(j).name() + " overlap in " + percent(both));
+                }
+            }
+        }
+        return String.join(", ", shares) + " of the steps";
+    }
+
+    private static String reason(TaskMeasurement measurement) {
+        String bound = Numbers.decimal(TaskMeasurement.INTERLEAVED_BOUND, 2);
+        TaskKind kind = measurement.kind();
+        return "  " + kind.name().toLowerCase(Locale.ROOT) + ": "
+                + switch (kind) {
+                    case ISOLATED -> "within a game the task never changes";
+                    case INTERLEAVED -> "tasks never overlap, and the mean thrashing rate is at most " + bound;
+                    case BLENDED ->
+                        measurement.overlap() > 0 ? "tasks overlap" : "the mean thrashing rate is above " + bound;
+                };
+    }
+
+    private static String percent(double share) {
+        return Numbers.decimal(100 * share, 1) + " %";
+    }
+
+    private static void append(StringBuilder csv, String version, String name, TaskMeasurement measurement) {
+        int game = 0;
+        for (Episode episode : measurement.episodes()) {
+            csv.append(String.join(
+                            ",",
+                            version,
+                            quoted(measurement.division().name()),
+                            quoted(name),
+                            String.valueOf(game++),
+                            String.valueOf(episode.steps()),
+                            String.valueOf(episode.switches()),
+                            String.valueOf(episode.thrashingRate()),
+                            String.valueOf(episode.overlapping()),
+                            String.valueOf(episode.score())))
+                    .append('\n');
+        }
+    }
+
+    private static String quoted(String text) {
+        return text.contains(",") || text.contains("\"") ? '"' + text.replace("\"", "\"\"") + '"' : text;
+    }
+}

@@ -1,0 +1,114 @@
+package mmneat.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+/** Commands that work with the champions that come with the program, as a user types them. */
+class ChampionCommandsTest {
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    @TempDir
+    private Path folder;
+
+    private int execute(String... arguments) {
+        out.getBuffer().setLength(0);
+        errors.getBuffer().setLength(0);
+        CommandLine line = Main.commandLine();
+        line.setOut(new PrintWriter(out, true));
+        line.setErr(new PrintWriter(errors, true));
+        return line.execute(arguments);
+    }
+
+    private void assertMistake(String message, String... arguments) {
+        assertThat(execute(arguments)).isEqualTo(2);
+        assertThat(errors.toString().lines()).hasSize(1);
+        assertThat(errors.toString()).contains(message);
+    }
+
+    @Test
+    void everyShippedChampion_isWatched() throws IOException {
+        for (String version : new String[] {"blended", "interleaved", "isolated"}) {
+            Path page = folder.resolve(version + ".html");
+            assertThat(execute("watch", "champion=" + version, "out=" + page)).isZero();
+            assertThat(out.toString()).startsWith("champion-" + version + ", training: ");
+            assertThat(Files.size(page)).isLessThan(3_000_000);
+        }
+    }
+
+    @Test
+    void gameAsGif_isWritten() throws IOException {
+        Path gif = folder.resolve("game.gif");
+        assertThat(execute("watch", "champion=blended", "out=" + gif)).isZero();
+        assertThat(new String(Files.readAllBytes(gif), 0, 6, java.nio.charset.StandardCharsets.US_ASCII))
+                .isEqualTo("GIF89a");
+    }
+
+    @Test
+    void windowWithoutDisplay_isRefusedInOneLine() {
+        org.junit.jupiter.api.Assumptions.assumeTrue(java.awt.GraphicsEnvironment.isHeadless());
+        assertMistake("window=true needs a display, and there is none", "watch", "champion=blended", "window=true");
+    }
+
+    @Test
+    void championIsPlayed() {
+        assertThat(execute("play", "pacman=champion:blended", "rules=blended")).isZero();
+        assertThat(out.toString()).startsWith("champion:blended against Legacy, 1 game");
+        assertMistake(
+                "pacman=champion:x: must be champion: and one of blended, interleaved, isolated",
+                "play",
+                "pacman=champion:x");
+    }
+
+    @Test
+    void unknownOrAmbiguousChampion_isAMistake() {
+        assertMistake("no network is given", "watch");
+        assertMistake("champion=x: must be one of blended, interleaved, isolated", "watch", "champion=x");
+        assertMistake("both a file and champion= are given", "watch", "champion.json", "champion=blended");
+    }
+
+    @Test
+    void ghosts_areRecorded_reproducibly() throws IOException {
+        Path first = folder.resolve("first.txt");
+        Path second = folder.resolve("second.txt");
+        assertThat(execute("record-ghosts", "situations=1", "seed=3", "out=" + first))
+                .isZero();
+        assertThat(out.toString()).contains("16 situations from ").contains("mazePowerPillGhostMapping=" + first);
+        assertThat(execute("record-ghosts", "situations=1", "seed=3", "out=" + second))
+                .isZero();
+        assertThat(first).hasSameTextualContentAs(second);
+        assertThat(Files.readAllLines(first)).hasSize(16).allMatch(line -> line.matches("[0-3](\t\\d+){5}"));
+    }
+
+    @Test
+    void recordingThatGivesUp_saysWhatIsMissing_andKeepsWhatThereIs() {
+        Path file = folder.resolve("few.txt");
+        assertMistake("gave up after 1 games, with", "record-ghosts", "games=1", "situations=5", "out=" + file);
+        assertThat(errors.toString()).contains("still missing: maze 0 power pill 0 (");
+        assertThat(file).doesNotExist();
+        assertThat(folder.resolve("few.txt.incomplete")).exists();
+    }
+
+    @Test
+    void tasks_areMeasured_forEveryVersion() throws IOException {
+        Path csv = folder.resolve("tasks.csv");
+        assertThat(execute(
+                        "tasks", "games=3", "players=NearestPillPacMan,champion:blended", "task=blended", "out=" + csv))
+                .isZero();
+        assertThat(out.toString())
+                .startsWith("blended, divided by threats,edible")
+                .contains("NearestPillPacMan")
+                .contains("overlap in");
+        assertThat(Files.readAllLines(csv)).hasSize(7);
+        assertMistake("predicates=x: must be two or more of threats", "tasks", "predicates=x");
+    }
+}
