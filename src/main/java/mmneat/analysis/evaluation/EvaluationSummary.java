@@ -35,6 +35,8 @@ final class EvaluationSummary {
                 }
             }
         }
+        // The sum of whole scores is exact, the running mean of the library is not.
+        double mean = scores.getSum() / games.size();
         double margin = games.size() < 2
                 ? 0
                 : new TDistribution(null, games.size() - 1.0).inverseCumulativeProbability((1 + LEVEL) / 2)
@@ -43,10 +45,10 @@ final class EvaluationSummary {
         return new ChampionEvaluation(
                 rules.label(),
                 games.size(),
-                scores.getMean(),
+                mean,
                 games.size() < 2 ? 0 : scores.getStandardDeviation(),
-                scores.getMean() - margin,
-                scores.getMean() + margin,
+                mean - margin,
+                mean + margin,
                 use,
                 deaths);
     }

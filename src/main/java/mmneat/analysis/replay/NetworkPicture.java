@@ -39,8 +39,7 @@ final class NetworkPicture {
         for (int i = inputs; i < count; i++) {
             int output = i - genotype.firstOutput();
             if (output < 0) {
-                nodes.add(new ReplayNetwork.Node(
-                        Kind.HIDDEN, -1, deepest <= 1 ? 0.5 : Math.max(0, depth[i] - 1) / (deepest - 1)));
+                nodes.add(new ReplayNetwork.Node(Kind.HIDDEN, -1, Math.max(1, depth[i]) / (Math.max(1, deepest) + 1)));
             } else {
                 Kind kind = genotype.layout().hasPreferenceNeurons()
                                 && genotype.layout().isPreference(output)
