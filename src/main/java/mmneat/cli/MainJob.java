@@ -63,21 +63,25 @@ final class MainJob implements Callable<Integer> {
         for (RunOutcome outcome : outcomes) {
             reportTrouble(outcome);
         }
+        // A run that is one job of many writes into its own folder only.
+        boolean oneOfMany =
+                plan.parameters().isGiven("run") || plan.parameters().isGiven("runNumber");
+        Optional<Path> curve = oneOfMany ? Optional.empty() : LearningCurve.write(plan, outcomes);
         if (!quiet) {
             new ResultTable(plan, outcomes).print(out);
-            showFurther(plan, outcomes);
+            showFurther(plan, outcomes, curve);
         }
         return exitCode(outcomes);
     }
 
-    private void showFurther(ExperimentPlan plan, List<RunOutcome> outcomes) throws IOException {
-        Optional<Path> curve = LearningCurve.write(plan, outcomes);
+    private void showFurther(ExperimentPlan plan, List<RunOutcome> outcomes, Optional<Path> curve) {
         Optional<Path> best = new ResultTable(plan, outcomes).best().map(outcome -> outcome.run()
                 .directory());
         if (curve.isPresent() && best.isPresent()) {
             out.println();
             out.println("Learning curve: " + curve.get() + " (and .png)");
             out.println("To look further:");
+            out.println("  java -jar mmneat.jar watch " + best.get());
             out.println("  java -jar mmneat.jar network " + best.get().resolve("champion.json"));
             out.println("  java -jar mmneat.jar status " + plan.base());
             out.println("  java -jar mmneat.jar compare " + plan.base());

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import mmneat.experiment.ExperimentView;
 import mmneat.experiment.ParameterCatalogue;
 import mmneat.experiment.Study;
 import mmneat.experiment.UserError;
@@ -124,6 +125,11 @@ final class SubmitCommand implements Callable<Integer>, WordCommand {
             if (runs.isEmpty()) {
                 tell(engine, out, part.plan().name() + ": all " + all + " runs are complete");
                 continue;
+            }
+            if (all > 1) {
+                // Runs that have not begun are then seen as waiting; the jobs themselves write only into their own
+                // folders.
+                ExperimentView.recordAsked(part.plan());
             }
             ExperimentJob job = new ExperimentJob(
                     part.plan().name(),

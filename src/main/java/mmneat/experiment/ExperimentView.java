@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -106,8 +107,10 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
         }
         plan.runs().forEach(run -> numbers.add(run.number()));
         String saveTo = plan.parameters().text("saveTo");
-        DurableFiles.write(
-                file, JsonMapper.builder().build().writeValueAsBytes(Map.of("saveTo", saveTo, "runs", numbers)));
+        Map<String, Object> content = new LinkedHashMap<>();
+        content.put("saveTo", saveTo);
+        content.put("runs", numbers);
+        DurableFiles.write(file, JsonMapper.builder().build().writeValueAsBytes(content));
     }
 
     private static List<RunView> asked(Path file) throws IOException {
