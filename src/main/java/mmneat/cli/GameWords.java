@@ -39,7 +39,10 @@ final class GameWords {
                     "one of " + String.join(", ", RULES) + " (default " + DEFAULT_RULES
                             + ": release 6.2 of the competition of 2012)"),
             new Word("maze", "FILE", "a, b, c or d, or a drawing: all levels are played in this maze"),
-            new Word("ghostLocations", "FILE", "recorded ghost locations; needed by rules=" + ISOLATED_GHOSTS),
+            new Word(
+                    "ghostLocations",
+                    "FILE",
+                    "recorded ghost locations for rules=" + ISOLATED_GHOSTS + " (default: ours)"),
             new Word("powerPill", "0", "0 to 3: the corner of rules=" + ISOLATED_GHOSTS + " (default 0)"));
 
     private GameWords() {}
@@ -73,7 +76,9 @@ final class GameWords {
     }
 
     private static GhostLocations ghostLocations(Words words) {
-        words.requiredText("ghostLocations", "FILE");
+        if (!words.has("ghostLocations")) {
+            return GhostLocations.shipped();
+        }
         Path file = words.path("ghostLocations").orElseThrow();
         try (Reader text = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
             return GhostLocations.read(file.toString(), text);

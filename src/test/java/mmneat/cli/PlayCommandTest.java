@@ -71,6 +71,12 @@ class PlayCommandTest {
     }
 
     @Test
+    void isolatedGhosts_startFromOurRecording_unlessAnotherIsNamed() {
+        assertThat(execute("play", "games=5", "rules=isolatedGhosts")).isZero();
+        assertThat(out.toString()).contains("rules isolatedGhosts");
+    }
+
+    @Test
     void rulesAndMaze_changeTheGame() throws IOException {
         execute("play", "games=5");
         String competition = scoreLine();
@@ -142,7 +148,6 @@ class PlayCommandTest {
         assertMistake("games=0: must be a whole number, at least 1", "play", "games=0");
         assertMistake("rules=hard: must be one of", "play", "rules=hard");
         assertMistake("maze: cannot read none.txt: there is no such file", "play", "maze=none.txt");
-        assertMistake("'ghostLocations' is missing", "play", "rules=isolatedGhosts");
         assertMistake(
                 "ghostLocations: cannot read none.txt", "play", "rules=isolatedGhosts", "ghostLocations=none.txt");
         assertMistake("one game is recorded", "play", "record=" + folder.resolve("x"), "games=2");
