@@ -13,6 +13,7 @@ import mmneat.experiment.ParameterCatalogue;
 import mmneat.experiment.ParameterReader;
 import mmneat.experiment.RunMonitor;
 import mmneat.experiment.RunOutcome;
+import mmneat.experiment.cluster.ShellWord;
 import picocli.CommandLine.ExitCode;
 
 /**
@@ -100,8 +101,7 @@ final class MainJob implements Callable<Integer> {
         errors.println();
         errors.println("mmneat: stopped" + (finished ? "" : " while writing")
                 + "; every run is kept up to its last complete generation. To go on, give the same command again:");
-        errors.println("  java -jar mmneat.jar "
-                + String.join(" ", words.stream().map(MainJob::quoted).toList()));
+        errors.println("  java -jar mmneat.jar " + ShellWord.line(words));
         errors.flush();
     }
 
@@ -122,10 +122,5 @@ final class MainJob implements Callable<Integer> {
         boolean onlyInUse = outcomes.stream()
                 .allMatch(outcome -> outcome.isComplete() || outcome.phase() == RunMonitor.Phase.IN_USE);
         return onlyInUse ? IN_USE : ExitCode.SOFTWARE;
-    }
-
-    /** As a shell reads it. */
-    private static String quoted(String word) {
-        return word.matches("[\\w./:=,+-]*") ? word : "'" + word.replace("'", "'\\''") + "'";
     }
 }

@@ -29,8 +29,8 @@ public record Study(List<Part> parts, List<String> remarks) {
      * @throws UserError for words that are not understood, or if no combination was published
      */
     public static Study of(List<String> words, ParameterCatalogue catalogue) {
-        List<String> tasks = list(words, "task");
-        List<String> methods = list(words, "method");
+        List<String> tasks = list(words, "task", "");
+        List<String> methods = list(words, "method", catalogue.require("method").defaultValue());
         List<Part> parts = new ArrayList<>();
         List<String> remarks = new ArrayList<>();
         if (tasks.size() <= 1 && methods.size() <= 1 && !methods.contains(ALL)) {
@@ -73,8 +73,8 @@ public record Study(List<Part> parts, List<String> remarks) {
         return PublishedConfigurations.methodsOf(task);
     }
 
-    /** The values of a word that may be a list; one empty list if it is not there. */
-    private static List<String> list(List<String> words, String name) {
+    /** The values of a word that may be a list; {@code otherwise} alone if it is not there, nothing if that is empty. */
+    private static List<String> list(List<String> words, String name, String otherwise) {
         List<String> values = new ArrayList<>();
         words.stream()
                 .filter(word -> isNamed(word, name))
@@ -83,8 +83,8 @@ public record Study(List<Part> parts, List<String> remarks) {
                 .map(String::strip)
                 .filter(value -> !value.isEmpty() && !values.contains(value))
                 .forEach(values::add);
-        if (values.isEmpty() && name.equals("method")) {
-            values.add(ParameterCatalogue.load().require("method").defaultValue());
+        if (values.isEmpty() && !otherwise.isEmpty()) {
+            values.add(otherwise);
         }
         return values;
     }
