@@ -1,22 +1,19 @@
 package mmneat.cli;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.Callable;
-import mmneat.experiment.UserError;
+import java.util.stream.Stream;
+import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.evaluation.ChampionLabels;
+import mmneat.experiment.PublishedConfigurations;
 import mmneat.neat.Genotype;
-import mmneat.neat.io.GenotypeFiles;
-import mmneat.neat.io.GenotypeFormatException;
 import mmneat.neat.io.GenotypeJson;
 import mmneat.neat.io.GenotypeXml;
 import mmneat.neat.io.NetworkDot;
 import mmneat.neat.io.NetworkGraphml;
+import mmneat.neat.io.NetworkLabels;
 import mmneat.neat.io.NetworkSvg;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -27,27 +24,42 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "network",
         mixinStandardHelpOptions = true,
+        sortOptions = false,
+        customSynopsis = "mmneat network [FILE] [name=value...]",
         description = {
             "Draws a saved network, or writes it in another form.",
-            "FILE is a network that this program or the original has saved (JSON or XML)."
+            "FILE is a network that this program or the original has saved (JSON or XML), or the folder of a run: its"
+                    + " champion. Its inputs are named by the sensors of its run's task.",
+            "Example: mmneat network results/blended/2M0 out=network.svg",
+            "Example: mmneat network champion=isolated out=network.svg",
+            "",
         })
-final class NetworkCommand implements Callable<Integer>, WordCommand {
+final class NetworkCommand implements Runnable, WordCommand {
 
     private static final List<String> FORMATS = List.of("svg", "dot", "graphml", "json", "xml");
+    /** The formats that name inputs. */
+    private static final List<String> LABELLED = List.of("svg", "dot", "graphml");
+
+    private static final String NO_TASK = "none";
+    private static final List<String> TASKS = Stream.concat(
+                    PublishedConfigurations.tasks().stream(), Stream.of(NO_TASK))
+            .toList();
 
     @Spec
     private CommandSpec command;
 
-    @Parameters(
-            arity = "0..*",
-            paramLabel = "FILE",
-            hideParamSyntax = true,
-            description = "the network, and words as below")
+    @Parameters(arity = "0..*", hidden = true, paramLabel = "FILE")
     private List<String> words = List.of();
 
     @Override
     public List<Word> knownWords() {
         return List.of(
+                ChosenChampion.WORD,
+                new Word(
+                        "task",
+                        String.join("|", TASKS),
+                        "version of the task whose sensors name the inputs; none: they are numbered (default: the task of its"
+                                + " run, or what the number of inputs says)"),
                 new Word(
                         "format",
                         "svg|dot|graphml|json|xml",
@@ -57,34 +69,32 @@ final class NetworkCommand implements Callable<Integer>, WordCommand {
     }
 
     @Override
-    public Integer call() throws IOException {
+    public void run() {
         Words parsed = Words.parse(words, this, 1);
-        if (parsed.plain().isEmpty()) {
-            throw new UserError("no network named; write: network FILE [format=svg] [out=FILE]");
-        }
+        Champion champion = ChosenChampion.of(parsed, null);
         Optional<Path> out = parsed.path("out");
         String format =
                 parsed.choice("format", out.map(NetworkCommand::formatOf).orElse("svg"), FORMATS);
-        String text = convert(read(Path.of(parsed.plain().get(0))), format);
+        String text = convert(champion.genotype(), format, labels(parsed, champion, format));
         if (out.isPresent()) {
-            write(out.get(), text);
+            OutputFile.write(out.get(), text);
         } else {
             command.commandLine().getOut().print(text);
             command.commandLine().getOut().flush();
         }
-        return 0;
     }
 
-    private static Genotype read(Path file) {
-        try {
-            return GenotypeFiles.read(file);
-        } catch (GenotypeFormatException e) {
-            throw new UserError(e.getMessage(), e);
-        } catch (NoSuchFileException e) {
-            throw new UserError(file + ": no such file", e);
-        } catch (IOException e) {
-            throw new UserError(file + ": cannot be read" + (Files.isDirectory(file) ? ", it is a folder" : ""), e);
+    private NetworkLabels labels(Words words, Champion champion, String format) {
+        String task = words.choice("task", "", TASKS);
+        if (task.equals(NO_TASK) || !LABELLED.contains(format)) {
+            return NetworkLabels.NUMBERS;
         }
+        ChampionLabels labels = ChampionLabels.of(champion, task.isEmpty() ? Optional.empty() : Optional.of(task));
+        if (!labels.remark().isEmpty()) {
+            command.commandLine().getErr().println("network: " + labels.remark());
+            command.commandLine().getErr().flush();
+        }
+        return labels.labels();
     }
 
     private static String formatOf(Path out) {
@@ -93,21 +103,13 @@ final class NetworkCommand implements Callable<Integer>, WordCommand {
         return FORMATS.contains(ending) ? ending : "svg";
     }
 
-    private static String convert(Genotype genotype, String format) {
+    private static String convert(Genotype genotype, String format, NetworkLabels labels) {
         return switch (format) {
-            case "dot" -> NetworkDot.of(genotype, List.of());
-            case "graphml" -> NetworkGraphml.of(genotype, List.of());
+            case "dot" -> NetworkDot.of(genotype, labels);
+            case "graphml" -> NetworkGraphml.of(genotype, labels);
             case "json" -> GenotypeJson.write(genotype);
             case "xml" -> GenotypeXml.write(genotype);
-            default -> NetworkSvg.of(genotype, List.of());
+            default -> NetworkSvg.of(genotype, labels);
         };
-    }
-
-    private static void write(Path out, String text) {
-        try {
-            Files.writeString(out, text, StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UserError("out=" + out + ": cannot be written; does the folder exist?", e);
-        }
     }
 }

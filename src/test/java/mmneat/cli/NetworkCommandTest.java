@@ -7,6 +7,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import mmneat.analysis.results.RunFixture;
 import mmneat.neat.Genotype;
 import mmneat.neat.InitialNetworks;
 import mmneat.neat.ModuleLayout;
@@ -74,21 +75,51 @@ class NetworkCommandTest {
     }
 
     @Test
-    void missingFile_isAMistake() {
-        assertThat(run("network", folder.resolve("none.json").toString())).isEqualTo(2);
-        assertThat(errors.toString()).contains("none.json: no such file");
+    void inputs_areNamed_byTheTaskOfTheRun() throws IOException {
+        Path run = RunFixture.run(folder, "blended", "2M", 0, 1000, 2000);
+        Path champion = Files.writeString(
+                run.resolve("champion.json"),
+                GenotypeJson.write(new InitialNetworks(30, ModuleLayout.withPreferenceNeurons(2, 1))
+                        .create(1, new ResumableRandom(5))));
+        assertThat(run("network", run.toString())).isZero();
+        assertThat(output.toString()).contains("Ghost 4 approaching", "module 2");
+        assertThat(errors.toString()).isEmpty();
+
+        Path alone = Files.copy(champion, folder.resolve("alone.json"));
+        assertThat(run("network", alone.toString())).isZero();
+        assertThat(errors.toString()).startsWith("network: inputs named as in task=blended, which has as many");
+        assertThat(run("network", alone.toString(), "task=isolated")).isEqualTo(2);
+        assertThat(errors.toString()).contains("30 inputs, but this version of the task has 26 sensors");
     }
 
     @Test
-    void folder_isAMistake() {
-        assertThat(run("network", folder.toString())).isEqualTo(2);
-        assertThat(errors.toString()).contains("cannot be read, it is a folder");
+    void inputs_ofAnUnknownTask_areNumbered_andTheReasonIsTold() {
+        assertThat(run("network", file.toString())).isZero();
+        assertThat(output.toString()).contains("input 2", "module 1");
+        assertThat(errors.toString().lines()).hasSize(1);
+        assertThat(errors.toString()).startsWith("network: inputs are numbered: ");
+        errors.getBuffer().setLength(0);
+        assertThat(run("network", file.toString(), "task=none")).isZero();
+        assertThat(errors.toString()).isEmpty();
+    }
+
+    @Test
+    void missingFile_isAMistake() {
+        assertThat(run("network", folder.resolve("none.json").toString())).isEqualTo(2);
+        assertThat(errors.toString()).contains("none.json: there is no such file");
+    }
+
+    @Test
+    void folderWithoutChampion_isAMistake() throws IOException {
+        Path empty = Files.createDirectory(folder.resolve("empty"));
+        assertThat(run("network", empty.toString())).isEqualTo(2);
+        assertThat(errors.toString()).contains("there is no champion in this folder");
     }
 
     @Test
     void missingName_isAMistake() {
         assertThat(run("network")).isEqualTo(2);
-        assertThat(errors.toString()).contains("no network named");
+        assertThat(errors.toString()).contains("no network is given");
     }
 
     @Test

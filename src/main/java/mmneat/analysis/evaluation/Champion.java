@@ -11,6 +11,7 @@ import mmneat.analysis.results.RunParameters;
 import mmneat.experiment.UserError;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeFiles;
+import mmneat.neat.io.GenotypeFormatException;
 
 /**
  * A network to evaluate or to watch, and what is known of the run that it is from.
@@ -51,8 +52,10 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
         try {
             Optional<Path> folder = runFolder(file);
             return new Champion(GenotypeFiles.read(file), file, folder, RunParameters.read(folder));
+        } catch (GenotypeFormatException e) {
+            throw new UserError(e.getMessage(), e);
         } catch (IOException e) {
-            throw new UserError(file + ": not the file of a network: " + e.getMessage(), e);
+            throw new UserError(file + ": cannot be read: " + e.getMessage(), e);
         }
     }
 

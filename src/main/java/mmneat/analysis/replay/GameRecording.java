@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
+import mmneat.analysis.evaluation.SensorNames;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;
 import mmneat.mspacman.GameEnd;

@@ -6,11 +6,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import mmneat.analysis.ExperimentComparison;
 import mmneat.analysis.Page;
 import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.evaluation.ChampionLabels;
 import mmneat.analysis.figures.Figure;
 import mmneat.analysis.figures.LearningCurveFigure;
 import mmneat.analysis.figures.ModuleUseFigure;
@@ -149,14 +151,17 @@ public final class ExperimentReport {
             }
             return;
         }
-        Genotype genotype = Champion.read(run.folder()).genotype();
+        Champion champion = Champion.read(run.folder());
+        Genotype genotype = champion.genotype();
+        ChampionLabels labels = ChampionLabels.of(champion, Optional.empty());
         cell(html, String.valueOf(genotype.modules()));
         cell(html, String.valueOf(genotype.nodes().size()));
         cell(html, String.valueOf(genotype.links().size()));
         html.append("<td>")
                 .append(replay == null ? "-" : "<a href=\"" + Page.escape(replay) + "\">watch</a>")
                 .append("</td><td><details><summary>show</summary>")
-                .append(Html.image(NetworkSvg.of(genotype, List.of()), "network of run " + run.number()))
+                .append(Html.image(NetworkSvg.of(genotype, labels.labels()), "network of run " + run.number()))
+                .append(labels.remark().isEmpty() ? "" : "<p>" + Page.escape(labels.remark()) + "</p>")
                 .append("</details></td>");
     }
 

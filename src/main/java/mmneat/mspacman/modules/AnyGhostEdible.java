@@ -1,9 +1,12 @@
 package mmneat.mspacman.modules;
 
+import java.util.List;
 import mmneat.mspacman.sensors.Situation;
 
 /** Module 1 if any ghost is edible, else 0. The division of MT (interleaved) and MT2 (blended). */
 public record AnyGhostEdible() implements ModuleDivision {
+
+    private static final List<String> SITUATIONS = List.of("no ghost edible", "a ghost edible");
 
     @Override
     public int modules() {
@@ -13,5 +16,10 @@ public record AnyGhostEdible() implements ModuleDivision {
     @Override
     public int module(Situation situation) {
         return situation.highestEdibleTime() > 0 ? 1 : 0;
+    }
+
+    @Override
+    public String situation(int module) {
+        return SITUATIONS.get(module);
     }
 }

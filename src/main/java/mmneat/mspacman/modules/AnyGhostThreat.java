@@ -1,9 +1,12 @@
 package mmneat.mspacman.modules;
 
+import java.util.List;
 import mmneat.mspacman.sensors.Situation;
 
 /** Module 0 if no ghost is a threat, else 1. Not part of the published experiments. */
 public record AnyGhostThreat() implements ModuleDivision {
+
+    private static final List<String> SITUATIONS = List.of("no threats", "a threat");
 
     @Override
     public int modules() {
@@ -13,5 +16,10 @@ public record AnyGhostThreat() implements ModuleDivision {
     @Override
     public int module(Situation situation) {
         return situation.threats() == 0 ? 0 : 1;
+    }
+
+    @Override
+    public String situation(int module) {
+        return SITUATIONS.get(module);
     }
 }

@@ -14,4 +14,9 @@ public record EachMaze() implements ModuleDivision {
     public int module(Situation situation) {
         return situation.mazeIndex();
     }
+
+    @Override
+    public String situation(int module) {
+        return "maze " + (char) ('A' + module);
+    }
 }

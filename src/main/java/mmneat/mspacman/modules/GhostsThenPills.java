@@ -1,9 +1,12 @@
 package mmneat.mspacman.modules;
 
+import java.util.List;
 import mmneat.mspacman.sensors.Situation;
 
 /** Module 0 while power pills or edible ghosts remain, else 1. Not part of the published experiments. */
 public record GhostsThenPills() implements ModuleDivision {
+
+    private static final List<String> SITUATIONS = List.of("power pills or edible ghosts", "pills");
 
     @Override
     public int modules() {
@@ -13,5 +16,10 @@ public record GhostsThenPills() implements ModuleDivision {
     @Override
     public int module(Situation situation) {
         return situation.powerPillsLeft() > 0 || situation.highestEdibleTime() > 0 ? 0 : 1;
+    }
+
+    @Override
+    public String situation(int module) {
+        return SITUATIONS.get(module);
     }
 }

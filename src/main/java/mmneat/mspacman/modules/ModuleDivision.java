@@ -21,4 +21,9 @@ public interface ModuleDivision {
      * @param situation the state of the game; what depends on a direction must not be asked
      */
     int module(Situation situation);
+
+    /** In a few words, when a module is used; for pictures and tables. */
+    default String situation(int module) {
+        return "situation " + (module + 1);
+    }
 }

@@ -1,5 +1,6 @@
 package mmneat.mspacman.modules;
 
+import java.util.List;
 import mmneat.mspacman.sensors.Situation;
 
 /**
@@ -7,6 +8,8 @@ import mmneat.mspacman.sensors.Situation;
  * experiments.
  */
 public record NumberOfThreats() implements ModuleDivision {
+
+    private static final List<String> SITUATIONS = List.of("a ghost edible", "fewer than 4 threats", "4 threats");
 
     @Override
     public int modules() {
@@ -19,5 +22,10 @@ public record NumberOfThreats() implements ModuleDivision {
             return 0;
         }
         return situation.threats() < Situation.GHOSTS ? 1 : 2;
+    }
+
+    @Override
+    public String situation(int module) {
+        return SITUATIONS.get(module);
     }
 }

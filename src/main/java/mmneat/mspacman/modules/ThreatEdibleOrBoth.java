@@ -1,5 +1,6 @@
 package mmneat.mspacman.modules;
 
+import java.util.List;
 import mmneat.mspacman.sensors.Situation;
 
 /**
@@ -7,6 +8,8 @@ import mmneat.mspacman.sensors.Situation;
  * there are both. The division of MT3 (blended).
  */
 public record ThreatEdibleOrBoth() implements ModuleDivision {
+
+    private static final List<String> SITUATIONS = List.of("all edible", "all threats", "threats and edible");
 
     @Override
     public int modules() {
@@ -21,5 +24,10 @@ public record ThreatEdibleOrBoth() implements ModuleDivision {
             return 1;
         }
         return threats == 0 ? 0 : 2;
+    }
+
+    @Override
+    public String situation(int module) {
+        return SITUATIONS.get(module);
     }
 }

@@ -1,6 +1,5 @@
 package mmneat.neat.io;
 
-import java.util.List;
 import java.util.Locale;
 import mmneat.neat.Genotype;
 
@@ -12,10 +11,10 @@ public final class NetworkDot {
     /**
      * The DOT text of a network.
      *
-     * @param inputLabels names of the inputs, one for each; none: they are numbered
+     * @param labels what its inputs and modules are called
      */
-    public static String of(Genotype genotype, List<String> inputLabels) {
-        NetworkGraph graph = NetworkGraph.of(genotype, inputLabels);
+    public static String of(Genotype genotype, NetworkLabels labels) {
+        NetworkGraph graph = NetworkGraph.of(genotype, labels);
         StringBuilder dot = new StringBuilder("digraph network {\n");
         dot.append("  rankdir=BT;\n  label=").append(quoted(graph.title())).append(";\n  node [shape=circle];\n");
         int module = -1;
@@ -25,7 +24,9 @@ public final class NetworkDot {
                 dot.append(module < 0 ? "" : "  }\n");
                 module = neuron.module();
                 dot.append("  subgraph cluster_module").append(module).append(" {\n");
-                dot.append("    label=").append(quoted("module " + module)).append(";\n");
+                dot.append("    label=")
+                        .append(quoted(graph.modules().get(module)))
+                        .append(";\n");
             }
             dot.append(module < 0 ? "  " : "    ").append('n').append(i);
             dot.append(" [label=")

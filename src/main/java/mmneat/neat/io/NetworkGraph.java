@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
 import mmneat.neat.ModuleLayout;
@@ -16,8 +17,9 @@ import mmneat.neat.NodeType;
  * @param title one line that says which network it is
  * @param neurons neurons in activation order
  * @param links active links in the genotype's order
+ * @param modules name of each output module
  */
-record NetworkGraph(String title, List<Neuron> neurons, List<Link> links) {
+record NetworkGraph(String title, List<Neuron> neurons, List<Link> links, List<String> modules) {
 
     /** What a neuron is for. */
     enum Role {
@@ -54,16 +56,14 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links) {
     /**
      * The graph of a genotype.
      *
-     * @param inputLabels names of the inputs; none: they are numbered
+     * @throws IllegalArgumentException if the labels are for another network
      */
-    static NetworkGraph of(Genotype genotype, List<String> inputLabels) {
-        if (!inputLabels.isEmpty() && inputLabels.size() != genotype.inputs()) {
-            throw new IllegalArgumentException(inputLabels.size() + " labels for " + genotype.inputs() + " inputs");
-        }
+    static NetworkGraph of(Genotype genotype, NetworkLabels labels) {
+        labels.requireFor(genotype.inputs(), genotype.modules());
         List<Neuron> neurons = new ArrayList<>();
         Map<Long, Integer> positions = new HashMap<>();
         for (int i = 0; i < genotype.nodes().size(); i++) {
-            neurons.add(neuron(genotype, i, inputLabels));
+            neurons.add(neuron(genotype, i, labels));
             positions.put(genotype.nodes().get(i).innovation(), i);
         }
         List<Link> links = new ArrayList<>();
@@ -75,7 +75,9 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links) {
         String title = "Network " + genotype.id() + ": " + genotype.inputs() + " inputs, " + genotype.hidden()
                 + " hidden, " + genotype.modules() + (genotype.modules() == 1 ? " module, " : " modules, ")
                 + links.size() + " links";
-        return new NetworkGraph(title, neurons, links);
+        List<String> modules =
+                IntStream.range(0, genotype.modules()).mapToObj(labels::module).toList();
+        return new NetworkGraph(title, neurons, links, modules);
     }
 
     /** Width at which a link is drawn: grows with the size of the weight, quickly at first; at most 4.5. */
@@ -83,11 +85,10 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links) {
         return 0.5 + 4 * (1 - Math.exp(-Math.abs(weight) / 2));
     }
 
-    private static Neuron neuron(Genotype genotype, int position, List<String> inputLabels) {
+    private static Neuron neuron(Genotype genotype, int position, NetworkLabels labels) {
         NodeGene gene = genotype.nodes().get(position);
         if (gene.type() == NodeType.INPUT) {
-            String label = inputLabels.isEmpty() ? "input " + position : inputLabels.get(position);
-            return new Neuron(gene.innovation(), Role.INPUT, -1, label);
+            return new Neuron(gene.innovation(), Role.INPUT, -1, labels.input(position));
         }
         if (gene.type() == NodeType.HIDDEN) {
             return new Neuron(gene.innovation(), Role.HIDDEN, -1, "hidden " + gene.innovation());
@@ -96,7 +97,7 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links) {
         int output = position - genotype.firstOutput();
         int module = layout.moduleOf(output);
         return layout.isPreference(output)
-                ? new Neuron(gene.innovation(), Role.PREFERENCE, module, "preference of module " + module)
-                : new Neuron(gene.innovation(), Role.POLICY, module, "policy of module " + module);
+                ? new Neuron(gene.innovation(), Role.PREFERENCE, module, "preference of " + labels.module(module))
+                : new Neuron(gene.innovation(), Role.POLICY, module, "policy of " + labels.module(module));
     }
 }

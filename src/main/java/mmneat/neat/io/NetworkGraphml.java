@@ -1,7 +1,6 @@
 package mmneat.neat.io;
 
 import java.io.StringWriter;
-import java.util.List;
 import java.util.Locale;
 import javax.xml.stream.XMLOutputFactory;
 import javax.xml.stream.XMLStreamException;
@@ -17,10 +16,10 @@ public final class NetworkGraphml {
      * The GraphML text of a network: nodes with label, role, module and innovation, edges with weight and whether they are
      * recurrent.
      *
-     * @param inputLabels names of the inputs, one for each; none: they are numbered
+     * @param labels what its inputs and modules are called
      */
-    public static String of(Genotype genotype, List<String> inputLabels) {
-        NetworkGraph graph = NetworkGraph.of(genotype, inputLabels);
+    public static String of(Genotype genotype, NetworkLabels labels) {
+        NetworkGraph graph = NetworkGraph.of(genotype, labels);
         StringWriter text = new StringWriter();
         try {
             XMLStreamWriter xml = XMLOutputFactory.newDefaultFactory().createXMLStreamWriter(text);
@@ -52,7 +51,7 @@ public final class NetworkGraphml {
             data(xml, "label", neuron.label());
             data(xml, "role", neuron.role().name().toLowerCase(Locale.ROOT));
             if (neuron.module() >= 0) {
-                data(xml, "module", Integer.toString(neuron.module()));
+                data(xml, "module", Integer.toString(neuron.module() + 1));
             }
             data(xml, "innovation", Long.toString(neuron.innovation()));
             xml.writeEndElement();

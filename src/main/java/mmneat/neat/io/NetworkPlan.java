@@ -17,7 +17,8 @@ final class NetworkPlan {
     private static final double OUTPUT_SPACING = 34;
     private static final double BOX_GAP = 34;
     private static final double BOX_PADDING = 18;
-    private static final double LEGEND_WIDTH = 470;
+    private static final double BOX_HEIGHT = 42;
+    private static final double LEGEND_WIDTH = 610;
     /** Of a letter of an input's label. */
     private static final double LETTER = 6.4;
 
@@ -120,9 +121,24 @@ final class NetworkPlan {
     }
 
     private double outputsWidth() {
-        long outputs = graph.neurons().stream().filter(n -> n.module() >= 0).count();
-        int modules = graph.neurons().get(graph.neurons().size() - 1).module() + 1;
-        return (outputs - modules) * OUTPUT_SPACING + modules * 2 * BOX_PADDING + (modules - 1) * BOX_GAP;
+        double width = (graph.modules().size() - 1) * BOX_GAP;
+        for (int module = 0; module < graph.modules().size(); module++) {
+            width += boxWidth(module);
+        }
+        return width;
+    }
+
+    /** Room for the outputs of a module and for its name. */
+    private double boxWidth(int module) {
+        return Math.max(
+                (outputsOf(module) - 1) * OUTPUT_SPACING + 2 * BOX_PADDING,
+                LETTER * graph.modules().get(module).length());
+    }
+
+    private long outputsOf(int module) {
+        return graph.neurons().stream()
+                .filter(neuron -> neuron.module() == module)
+                .count();
     }
 
     private void placeRow(List<Integer> row, double rowY) {
@@ -138,17 +154,15 @@ final class NetworkPlan {
         while (neuron < x.length && !isOutput(neuron)) {
             neuron++;
         }
-        while (neuron < x.length) {
-            int module = graph.neurons().get(neuron).module();
-            double right = left + BOX_PADDING;
-            while (neuron < x.length && graph.neurons().get(neuron).module() == module) {
-                x[neuron] = right;
-                y[neuron] = TOP + 24;
-                right += OUTPUT_SPACING;
+        for (int module = 0; module < graph.modules().size(); module++) {
+            double boxWidth = boxWidth(module);
+            modules.add(new Box(module, left, TOP, boxWidth, BOX_HEIGHT));
+            long outputs = outputsOf(module);
+            for (int output = 0; output < outputs; output++) {
+                x[neuron] = left + boxWidth / 2 + (output - (outputs - 1) / 2.0) * OUTPUT_SPACING;
+                y[neuron] = TOP + BOX_HEIGHT / 2;
                 neuron++;
             }
-            double boxWidth = right - OUTPUT_SPACING + BOX_PADDING - left;
-            modules.add(new Box(module, left, TOP, boxWidth, 42));
             left += boxWidth + BOX_GAP;
         }
     }

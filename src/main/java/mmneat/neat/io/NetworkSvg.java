@@ -1,7 +1,6 @@
 package mmneat.neat.io;
 
 import java.io.StringWriter;
-import java.util.List;
 import java.util.Locale;
 import javax.xml.stream.XMLOutputFactory;
 import javax.xml.stream.XMLStreamException;
@@ -16,8 +15,10 @@ import mmneat.neat.Genotype;
 public final class NetworkSvg {
 
     private static final double RADIUS = 8;
-    private static final String POSITIVE = "#2166ac";
-    private static final String NEGATIVE = "#c0392b";
+    /** Dark and light, so that they differ in black and white too. */
+    private static final String POSITIVE = "#1f5a9e";
+
+    private static final String NEGATIVE = "#ee6a4d";
 
     private final XMLStreamWriter svg;
     private final NetworkGraph graph;
@@ -32,10 +33,10 @@ public final class NetworkSvg {
     /**
      * The drawing of a network.
      *
-     * @param inputLabels names of the inputs, one for each; none: they are numbered
+     * @param labels what its inputs and modules are called
      */
-    public static String of(Genotype genotype, List<String> inputLabels) {
-        NetworkGraph graph = NetworkGraph.of(genotype, inputLabels);
+    public static String of(Genotype genotype, NetworkLabels labels) {
+        NetworkGraph graph = NetworkGraph.of(genotype, labels);
         StringWriter text = new StringWriter();
         try {
             XMLStreamWriter svg = XMLOutputFactory.newDefaultFactory().createXMLStreamWriter(text);
@@ -73,7 +74,11 @@ public final class NetworkSvg {
     private void drawModules() throws XMLStreamException {
         for (NetworkPlan.Box box : plan.modules()) {
             rectangle(box.left(), box.top(), box.width(), box.height(), "#f4f4f4", "#999999");
-            text(box.left() + box.width() / 2, box.top() - 5, "middle", "module " + box.module());
+            text(
+                    box.left() + box.width() / 2,
+                    box.top() - 5,
+                    "middle",
+                    graph.modules().get(box.module()));
         }
     }
 
@@ -128,7 +133,8 @@ public final class NetworkSvg {
         svg.writeEndElement();
         if (neuron.role() == NetworkGraph.Role.INPUT) {
             svg.writeStartElement("text");
-            attribute("transform", "translate(" + point(x + 4, y + 16) + ") rotate(90)");
+            attribute("transform", "translate(" + point(x + 4, y + 14) + ") rotate(-90)");
+            attribute("text-anchor", "end");
             svg.writeCharacters(neuron.label());
             svg.writeEndElement();
         }
@@ -148,6 +154,7 @@ public final class NetworkSvg {
         attribute("stroke", "black");
         svg.writeEndElement();
         text(x + 18, y, "start", "preference neuron");
+        text(x + 135, y, "start", "width: size of the weight");
     }
 
     private double legendLine(double x, double y, String colour, boolean isDashed, String meaning)

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import mmneat.analysis.HeadlessChromium;
+import mmneat.analysis.evaluation.SensorNames;
 import mmneat.evolution.Evaluation;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;

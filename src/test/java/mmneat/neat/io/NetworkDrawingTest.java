@@ -20,7 +20,9 @@ class NetworkDrawingTest {
     /** Two inputs, one hidden neuron, two modules; a self-link, a link back, a negative and an inactive link. */
     private static final Genotype NETWORK = network();
 
-    private static final List<String> LABELS = List.of("Distance to \"pill\"", "<bias> & more");
+    private static final List<String> INPUTS = List.of("Distance to \"pill\"", "<bias> & more");
+    private static final List<String> MODULES = List.of("ghosts", "a module with a name wider than its box");
+    private static final NetworkLabels LABELS = new NetworkLabels(INPUTS, MODULES);
 
     private static Genotype network() {
         List<NodeGene> nodes = new ArrayList<>();
@@ -55,7 +57,7 @@ class NetworkDrawingTest {
         assertThat(links).hasSize(5);
         assertThat(links.stream().filter(e -> e.attributes().containsKey("stroke-dasharray")))
                 .hasSize(2);
-        assertThat(links.stream().filter(e -> e.attributes().get("stroke").equals("#c0392b")))
+        assertThat(links.stream().filter(e -> e.attributes().get("stroke").equals("#ee6a4d")))
                 .hasSize(1);
         List<XmlElement> neurons = descendants(svg)
                 .filter(e -> e.name().equals("circle") && !e.children().isEmpty())
@@ -67,7 +69,7 @@ class NetworkDrawingTest {
 
     @Test
     void svg_hasInputsBelow_andOutputsAbove() throws IOException {
-        List<Double> heights = descendants(XmlElement.parse(NetworkSvg.of(NETWORK, List.of())))
+        List<Double> heights = descendants(XmlElement.parse(NetworkSvg.of(NETWORK, NetworkLabels.NUMBERS)))
                 .filter(e -> e.name().equals("circle") && !e.children().isEmpty())
                 .map(e -> Double.valueOf(e.attributes().get("cy")))
                 .toList();
@@ -82,8 +84,16 @@ class NetworkDrawingTest {
         assertThat(descendants(XmlElement.parse(NetworkSvg.of(NETWORK, LABELS)))
                         .filter(e -> e.name().equals("text"))
                         .map(e -> e.text().toString()))
-                .containsAll(LABELS)
-                .contains("module 0", "module 1");
+                .containsAll(INPUTS)
+                .containsAll(MODULES);
+    }
+
+    @Test
+    void svg_withoutNames_numbersInputsAndModules() throws IOException {
+        assertThat(descendants(XmlElement.parse(NetworkSvg.of(NETWORK, NetworkLabels.NUMBERS)))
+                        .filter(e -> e.name().equals("text"))
+                        .map(e -> e.text().toString()))
+                .contains("input 0", "input 1", "module 1", "module 2");
     }
 
     @Test
@@ -95,7 +105,7 @@ class NetworkDrawingTest {
                         .filter(e -> "weight".equals(e.attributes().get("key")))
                         .map(e -> e.text().toString()))
                 .containsExactly("0.5", "-1.5", "0.25", "3.0", "1.0");
-        assertThat(descendants(graphml).map(e -> e.text().toString())).containsAll(LABELS);
+        assertThat(descendants(graphml).map(e -> e.text().toString())).containsAll(INPUTS);
     }
 
     @Test
@@ -110,8 +120,11 @@ class NetworkDrawingTest {
 
     @Test
     void labels_ofAnotherNumber_areRefused() {
-        assertThatThrownBy(() -> NetworkSvg.of(NETWORK, List.of("one")))
+        assertThatThrownBy(() -> NetworkSvg.of(NETWORK, new NetworkLabels(List.of("one"), List.of())))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("1 labels for 2 inputs");
+        assertThatThrownBy(() -> NetworkSvg.of(NETWORK, new NetworkLabels(INPUTS, INPUTS.subList(0, 1))))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("1 labels for 2 modules");
     }
 }

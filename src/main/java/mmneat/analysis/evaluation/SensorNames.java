@@ -1,4 +1,4 @@
-package mmneat.analysis.replay;
+package mmneat.analysis.evaluation;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  * Short names for the sensors, close to the paper's. "Trapped" is 1 if no junction lies between her and the ghost
  * (spec/mspacman-task.md, section 11).
  */
-final class SensorNames {
+public final class SensorNames {
 
     private static final Pattern DIRECTION = Pattern.compile(" in dir -?\\d+$");
     private static final Map<Pattern, String> NAMES = names();
@@ -39,7 +39,8 @@ final class SensorNames {
         return names;
     }
 
-    static List<String> of(List<String> labels) {
+    /** Short names for a task's input labels, in their order; a label that is not known stays as it is. */
+    public static List<String> of(List<String> labels) {
         return labels.stream().map(SensorNames::of).toList();
     }
 

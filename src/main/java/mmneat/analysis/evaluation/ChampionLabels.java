@@ -1,0 +1,61 @@
+package mmneat.analysis.evaluation;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import mmneat.analysis.results.MethodName;
+import mmneat.evolution.Task;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.io.NetworkLabels;
+
+/**
+ * What the inputs and modules of a champion are called in pictures.
+ *
+ * @param labels the names
+ * @param remark what a reader should know about the names, empty if they are those of the champion's own task
+ */
+public record ChampionLabels(NetworkLabels labels, String remark) {
+
+    /**
+     * The names that the champion's task gives. A task that cannot be found or made is no reason not to draw a network: then
+     * everything is numbered, and the remark says why.
+     *
+     * @param version blended, interleaved or isolated; if empty, that of the champion's run or what its inputs say
+     * @throws UserError if a version is given that the network does not suit
+     */
+    public static ChampionLabels of(Champion champion, Optional<String> version) {
+        try {
+            Task task = ChampionTask.of(champion, version, Optional.empty());
+            List<String> modules = task instanceof MsPacManTask game
+                    ? ofModules(game.settings(), champion.genotype().layout())
+                    : List.of();
+            boolean guessed = version.isEmpty()
+                    && !ChampionTask.isToldByRun(champion, version)
+                    && MethodName.version(champion.parameters()).isEmpty();
+            return new ChampionLabels(
+                    new NetworkLabels(SensorNames.of(task.inputLabels()), modules),
+                    guessed
+                            ? "inputs named as in task=" + ChampionTask.version(champion)
+                                    + ", which has as many; task= names another"
+                            : "");
+        } catch (UserError e) {
+            if (version.isPresent()) {
+                throw e;
+            }
+            return new ChampionLabels(NetworkLabels.NUMBERS, "inputs are numbered: " + e.getMessage());
+        }
+    }
+
+    /** What each module is for, if a division names the module of each step; else their numbers, from 1. */
+    public static List<String> ofModules(MsPacManTaskSettings settings, ModuleLayout layout) {
+        return IntStream.range(0, layout.modules())
+                .mapToObj(module -> "module " + (module + 1)
+                        + (layout.standardMultitask() && settings.division() != null
+                                ? ": " + settings.division().situation(module)
+                                : ""))
+                .toList();
+    }
+}

@@ -1,0 +1,38 @@
+package mmneat.neat.io;
+
+import java.util.List;
+
+/**
+ * What the inputs and modules of a network are called where it is drawn. The task knows; a genotype does not.
+ *
+ * @param inputs names of the inputs, one for each; none: they are numbered
+ * @param modules names of the output modules, one for each; none: they are numbered from 1
+ */
+public record NetworkLabels(List<String> inputs, List<String> modules) {
+
+    /** Nothing is known: everything is numbered. */
+    public static final NetworkLabels NUMBERS = new NetworkLabels(List.of(), List.of());
+
+    public NetworkLabels {
+        inputs = List.copyOf(inputs);
+        modules = List.copyOf(modules);
+    }
+
+    String input(int input) {
+        return inputs.isEmpty() ? "input " + input : inputs.get(input);
+    }
+
+    String module(int module) {
+        return modules.isEmpty() ? "module " + (module + 1) : modules.get(module);
+    }
+
+    /** Checks that the names fit a network. */
+    void requireFor(int inputCount, int moduleCount) {
+        if (!inputs.isEmpty() && inputs.size() != inputCount) {
+            throw new IllegalArgumentException(inputs.size() + " labels for " + inputCount + " inputs");
+        }
+        if (!modules.isEmpty() && modules.size() != moduleCount) {
+            throw new IllegalArgumentException(modules.size() + " labels for " + moduleCount + " modules");
+        }
+    }
+}
