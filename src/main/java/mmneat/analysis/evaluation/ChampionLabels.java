@@ -29,14 +29,13 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
     public static ChampionLabels of(Champion champion, Optional<String> version) {
         try {
             Task task = ChampionTask.of(champion, version, Optional.empty());
-            List<String> modules = task instanceof MsPacManTask game
-                    ? ofModules(game.settings(), champion.genotype().layout())
-                    : List.of();
             boolean guessed = version.isEmpty()
                     && !ChampionTask.isToldByRun(champion, version)
                     && MethodName.version(champion.parameters()).isEmpty();
             return new ChampionLabels(
-                    new NetworkLabels(SensorNames.of(task.inputLabels()), modules),
+                    task instanceof MsPacManTask game
+                            ? of(game.settings(), champion.genotype().layout())
+                            : new NetworkLabels(task.inputLabels(), List.of()),
                     guessed
                             ? "inputs named as in task=" + ChampionTask.version(champion)
                                     + ", which has as many; task= names another"
@@ -49,13 +48,13 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
         }
     }
 
-    /** What each module is for, if a division names the module of each step; else their numbers, from 1. */
-    public static List<String> ofModules(MsPacManTaskSettings settings, ModuleLayout layout) {
-        return IntStream.range(0, layout.modules())
+    /** The names for a network that plays Ms. Pac-Man; a module that a division chooses bears its situation. */
+    public static NetworkLabels of(MsPacManTaskSettings settings, ModuleLayout layout) {
+        boolean divided = layout.standardMultitask() && settings.division() != null;
+        List<String> modules = IntStream.range(0, layout.modules())
                 .mapToObj(module -> "module " + (module + 1)
-                        + (layout.standardMultitask() && settings.division() != null
-                                ? ": " + settings.division().situation(module)
-                                : ""))
+                        + (divided ? ": " + settings.division().situation(module) : ""))
                 .toList();
+        return new NetworkLabels(SensorNames.of(new MsPacManTask(settings).inputLabels()), modules);
     }
 }

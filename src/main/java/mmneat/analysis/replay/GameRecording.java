@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
-import mmneat.analysis.evaluation.SensorNames;
+import mmneat.analysis.evaluation.ChampionLabels;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;
 import mmneat.mspacman.GameEnd;
@@ -22,11 +22,8 @@ import pacman.game.internal.Node;
 /** Records a trial of a network that plays Ms. Pac-Man: one game, or the five games of the isolated version. */
 public final class GameRecording implements EvaluationObserver {
 
-    /**
-     * Details of this many steps are kept in full; of longer games every second, third, ... step, so that the page stays
-     * below 3 MB.
-     */
-    private static final int STEPS_IN_DETAIL = 12_000;
+    /** Characters of data with which the page stays below 3 MB. */
+    private static final int MOST_DATA = 2_800_000;
 
     private static final GHOST[] GHOSTS = GHOST.values();
     private static final MOVE[] MOVES = MOVE.values();
@@ -37,7 +34,7 @@ public final class GameRecording implements EvaluationObserver {
     private Maze maze;
 
     private GameRecording(MsPacManTaskSettings settings, Genotype genotype, int detailEvery) {
-        ReplayNetwork network = NetworkPicture.of(genotype, SensorNames.of(new MsPacManTask(settings).inputLabels()));
+        ReplayNetwork network = NetworkPicture.of(genotype, ChampionLabels.of(settings, genotype.layout()));
         recorder = new ReplayRecorder(network, detailEvery);
         step = new ReplayStep(network);
         shadow = new ShadowNetworks(settings, genotype);
@@ -50,13 +47,20 @@ public final class GameRecording implements EvaluationObserver {
      * @param seed of the trial's generator: the same seed gives the same games
      */
     public static Replay record(MsPacManTaskSettings settings, Genotype genotype, long seed, ReplayTitle title) {
+        return record(settings, genotype, seed, title, MOST_DATA);
+    }
+
+    /** As above; of games that would take more data, sensors and activations are kept every second, fourth, ... step only. */
+    static Replay record(MsPacManTaskSettings settings, Genotype genotype, long seed, ReplayTitle title, int mostData) {
         MsPacManTask task = new MsPacManTask(settings.withTrials(1));
-        long steps =
-                task.evaluate(genotype, new ResumableRandom(seed)).outcomes().steps();
-        int detailEvery = (int) (1 + steps / STEPS_IN_DETAIL);
-        GameRecording recording = new GameRecording(settings, genotype, detailEvery);
-        task.evaluate(genotype, new ResumableRandom(seed), recording);
-        return recording.recorder.finish(title);
+        for (int detailEvery = 1; ; detailEvery *= 2) {
+            GameRecording recording = new GameRecording(settings, genotype, detailEvery);
+            task.evaluate(genotype, new ResumableRandom(seed), recording);
+            Replay replay = recording.recorder.finish(title);
+            if (replay.dataLength() <= mostData || detailEvery > replay.steps()) {
+                return replay;
+            }
+        }
     }
 
     @Override

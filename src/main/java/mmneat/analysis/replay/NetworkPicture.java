@@ -7,13 +7,14 @@ import java.util.Map;
 import mmneat.analysis.replay.ReplayNetwork.Kind;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
+import mmneat.neat.io.NetworkLabels;
 
 /** Turns a genotype into the network that the page draws; a hidden node's layer is the longest way to it from an input. */
 final class NetworkPicture {
 
     private NetworkPicture() {}
 
-    static ReplayNetwork of(Genotype genotype, List<String> inputLabels) {
+    static ReplayNetwork of(Genotype genotype, NetworkLabels labels) {
         int inputs = genotype.inputs();
         int count = genotype.nodes().size();
         Map<Long, Integer> positions = new HashMap<>();
@@ -48,7 +49,7 @@ final class NetworkPicture {
                 nodes.add(new ReplayNetwork.Node(kind, genotype.layout().moduleOf(output), 1));
             }
         }
-        return new ReplayNetwork(inputLabels, nodes, links, genotype.modules());
+        return new ReplayNetwork(labels.inputs(), nodes, links, labels.modules());
     }
 
     /** Longest way from an input along forward links; nodes stand in activation order. */

@@ -19,6 +19,7 @@ public final class Replay {
     private final ReplayTitle title;
     private final int steps;
     private final int finalScore;
+    private final int dataLength;
 
     Replay(
             ReplayTitle title,
@@ -48,7 +49,9 @@ public final class Replay {
         header.put(
                 "columns",
                 columns.stream().map(c -> List.of(c.name(), c.width())).toList());
-        header.put("data", pack(columns));
+        String data = pack(columns);
+        dataLength = data.length();
+        header.put("data", data);
     }
 
     public ReplayTitle title() {
@@ -60,9 +63,14 @@ public final class Replay {
         return steps;
     }
 
-    /** Points at the end of the last game. */
+    /** Points of all its games together. */
     public int finalScore() {
         return finalScore;
+    }
+
+    /** Characters of the packed columns: nearly all of the page. */
+    int dataLength() {
+        return dataLength;
     }
 
     /** The recording as JSON; {@code data} is the base64 of the zlib-compressed columns. */
@@ -78,7 +86,7 @@ public final class Replay {
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         columns.forEach(column -> column.writeTo(all));
         ByteArrayOutputStream packed = new ByteArrayOutputStream();
-        Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION);
+        Deflater deflater = new Deflater(Deflater.DEFAULT_COMPRESSION);
         try (DeflaterOutputStream out = new DeflaterOutputStream(packed, deflater)) {
             all.writeTo(out);
         } catch (IOException e) {

@@ -9,9 +9,9 @@ import java.util.Objects;
  * @param inputs label of each input, in the order of the sensor values
  * @param nodes the nodes behind the inputs, in the order of the recorded activations
  * @param links all links
- * @param modules number of output modules
+ * @param modules name of each output module
  */
-public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> links, int modules) {
+public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> links, List<String> modules) {
 
     /**
      * A hidden or output node.
@@ -47,6 +47,7 @@ public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> li
         inputs = List.copyOf(inputs);
         nodes = List.copyOf(nodes);
         links = List.copyOf(links);
+        modules = List.copyOf(modules);
         int count = inputs.size() + nodes.size();
         for (Link link : links) {
             if (link.source() < 0
@@ -61,6 +62,6 @@ public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> li
 
     /** A game without a network: a controller written by hand. */
     public static ReplayNetwork none() {
-        return new ReplayNetwork(List.of(), List.of(), List.of(), 1);
+        return new ReplayNetwork(List.of(), List.of(), List.of(), List.of("the controller"));
     }
 }

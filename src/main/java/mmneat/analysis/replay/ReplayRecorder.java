@@ -1,6 +1,7 @@
 package mmneat.analysis.replay;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -25,6 +26,10 @@ public final class ReplayRecorder {
     private final List<Chapter> chapters = new ArrayList<>();
     private final List<Outcome> outcomes = new ArrayList<>();
     private final Map<String, Column> columns = new LinkedHashMap<>();
+    /** The values of each direction's network, [direction][input] and [direction][node]. */
+    private final Column[][] sensorColumns = new Column[4][];
+
+    private final Column[][] nodeColumns = new Column[4][];
     private final BitSet pillsBefore = new BitSet();
     private final BitSet powerPillsBefore = new BitSet();
     private final int detailEvery;
@@ -32,6 +37,9 @@ public final class ReplayRecorder {
     private boolean newGame = true;
     private int levelBefore;
     private int steps;
+    /** Points of the games before the present one. */
+    private int earlierScore;
+
     private int lastScore;
 
     /**
@@ -60,6 +68,18 @@ public final class ReplayRecorder {
         }
         this.network = network;
         this.detailEvery = detailEvery;
+        for (int direction = 0; direction < 4; direction++) {
+            sensorColumns[direction] =
+                    detailColumns("sensor" + direction, network.inputs().size());
+            nodeColumns[direction] =
+                    detailColumns("node" + direction, network.nodes().size());
+        }
+    }
+
+    private static Column[] detailColumns(String kind, int count) {
+        Column[] columns = new Column[count];
+        Arrays.setAll(columns, i -> new Column(kind + "_" + i, 1));
+        return columns;
     }
 
     /** Makes a maze known; each maze once, before the first step in it. */
@@ -76,6 +96,8 @@ public final class ReplayRecorder {
     public void startGame(String name) {
         game = name;
         newGame = true;
+        earlierScore += lastScore;
+        lastScore = 0;
     }
 
     /** Says how the game ended whose last state was just recorded, for example "caught by Blinky". */
@@ -126,20 +148,19 @@ public final class ReplayRecorder {
 
     private void recordDetails(ReplayStep step) {
         for (int direction = 0; direction < 4; direction++) {
-            recordDetails("sensor" + direction + "_", step.open[direction], step.sensors[direction], SENSOR_SCALE);
-            recordDetails(
-                    "node" + direction + "_", step.open[direction], step.activations[direction], ACTIVATION_SCALE);
+            boolean open = step.open[direction];
+            recordDetails(sensorColumns[direction], open, step.sensors[direction], SENSOR_SCALE);
+            recordDetails(nodeColumns[direction], open, step.activations[direction], ACTIVATION_SCALE);
         }
     }
 
-    private void recordDetails(String name, boolean open, double[] values, int scale) {
+    private static void recordDetails(Column[] columns, boolean open, double[] values, int scale) {
         for (int i = 0; i < values.length; i++) {
-            Column column = column(name + i, 1);
             if (open) {
-                column.add(quantise(values[i], scale));
+                columns[i].add(quantise(values[i], scale));
             } else {
                 // Nothing is looked up where there is a wall: repeating costs nothing.
-                column.repeat();
+                columns[i].repeat();
             }
         }
     }
@@ -152,7 +173,7 @@ public final class ReplayRecorder {
         return new Replay(
                 title,
                 steps,
-                lastScore,
+                earlierScore + lastScore,
                 detailEvery,
                 SENSOR_SCALE,
                 ACTIVATION_SCALE,
@@ -160,7 +181,16 @@ public final class ReplayRecorder {
                 List.copyOf(chapters),
                 List.copyOf(outcomes),
                 network,
-                List.copyOf(columns.values()));
+                allColumns());
+    }
+
+    private List<Column> allColumns() {
+        List<Column> all = new ArrayList<>(columns.values());
+        for (int direction = 0; direction < 4; direction++) {
+            all.addAll(Arrays.asList(sensorColumns[direction]));
+            all.addAll(Arrays.asList(nodeColumns[direction]));
+        }
+        return all;
     }
 
     private Column column(String name, int width) {

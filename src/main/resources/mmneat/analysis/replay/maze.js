@@ -11,6 +11,7 @@ class MazeView {
     this.trail = document.createElement("canvas");
     this.trailShown = true;
     this.trailStep = -1;
+    this.deaths = new Set(recording.deaths);
     this.reset();
   }
 
@@ -90,6 +91,7 @@ class MazeView {
     c.lineCap = "round"; c.lineWidth = 2.2;
     const { node, module } = this.recording.column;
     for (; this.trailStep < step; this.trailStep++) {
+      if (this.deaths.has(this.trailStep)) c.clearRect(VIEW.left - 50, VIEW.top - 50, VIEW.width + 100, VIEW.height + 100);
       const from = node[this.trailStep], to = node[this.trailStep + 1];
       if (Math.abs(maze.x[from] - maze.x[to]) + Math.abs(maze.y[from] - maze.y[to]) > 2) continue;
       c.strokeStyle = moduleColour(module[this.trailStep]);
@@ -172,11 +174,13 @@ function chapterAt(recording, step) {
 
 /** Nodes of the pills and power pills that are left at a step. */
 function pillsAt(recording, chapter, step) {
+  if (recording.pillsAtStep === step) return recording.pillsLeft;
   const maze = recording.mazeOf[chapter.maze], { eaten, node } = recording.column;
   const pills = new Set(chapter.pills.map(i => maze.pills[i])), powerPills = new Set(chapter.powerPills.map(i => maze.powerPills[i]));
   for (let i = chapter.step; i <= step; i++) {
     if (eaten[i] & 1) pills.delete(node[i]);
     if (eaten[i] & 2) powerPills.delete(node[i]);
   }
-  return { pills, powerPills };
+  recording.pillsAtStep = step;
+  return recording.pillsLeft = { pills, powerPills };
 }

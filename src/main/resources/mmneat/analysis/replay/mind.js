@@ -1,6 +1,6 @@
 /* What the network senses in each direction, how its nodes answer, and what it wants. */
 const DIRECTION_NAMES = ["up", "right", "down", "left"], DIRECTION_SIGNS = ["↑", "→", "↓", "←"];
-const EXCITES = [255, 170, 70], INHIBITS = [86, 156, 255];
+const EXCITES = [120, 190, 255], INHIBITS = [255, 96, 72], PREFERENCE_GREY = "#aab1c8";
 
 class MindView {
   constructor(recording, canvas) {
@@ -24,6 +24,13 @@ class MindView {
     return column[`${kind}${direction}_${index}`][Math.floor(step / detailEvery)] / scale - 1;
   }
 
+  /** In words who decides what. */
+  decision(step) {
+    const { column } = this.recording, direction = column.choice[step];
+    if (column.module[step] === WALL || direction > 3) return "The game is over";
+    return `${capital(this.network.modules[column.module[step]])} decides: ${DIRECTION_SIGNS[direction]} ${DIRECTION_NAMES[direction]}`;
+  }
+
   isOpen(direction, step) { return this.recording.column["preference" + direction][step] !== WALL; }
 
   preference(direction, step) { return this.recording.column["preference" + direction][step] / this.recording.sensorScale - 1; }
@@ -33,18 +40,28 @@ class MindView {
     const small = width < 560;
     const at = this.at = { width, height, small };
     at.label = small ? Math.min(150, width * .36) : Math.min(210, width * .3);
-    at.cell = small ? 19 : Math.max(24, Math.min(36, width * .05));
+    at.cell = small ? 19 : Math.max(24, Math.min(46, width * .05));
     at.top = 50;
     at.row = (height - at.top - 4) / Math.max(1, inputs);
     at.first = at.label + 4 * at.cell + 12;
-    at.last = width - (small ? 34 : 42);
+    at.last = width - (small ? 26 : 44);
     const y = this.network.inputs.map((_, i) => at.top + (i + .5) * at.row);
     const x = this.network.inputs.map(() => at.first);
-    const outputs = this.network.nodes.map((n, i) => [n, i]).filter(([n]) => n.kind !== "HIDDEN").sort((a, b) => a[0].module - b[0].module);
-    const gap = (height - at.top) / outputs.length;
-    outputs.forEach(([, i], k) => { x[inputs + i] = at.last; y[inputs + i] = at.top + (k + .5) * gap; });
+    this.placeOutputs(x, y, inputs, at);
     this.placeHidden(x, y, inputs, at);
     at.x = x; at.y = y;
+  }
+
+  /** The outputs of a module stand together in a box, as in the paper's Figure 1. */
+  placeOutputs(x, y, inputs, at) {
+    const slot = (at.height - at.top) / this.network.modules.length;
+    at.boxes = this.network.modules.map((_, module) => {
+      const outputs = this.network.nodes.map((n, i) => i).filter(i => this.network.nodes[i].module === module);
+      const gap = Math.min(34, (slot - 14) / (outputs.length + .2)), middle = at.top + (module + .5) * slot + 7;
+      outputs.forEach((i, k) => { x[inputs + i] = at.last; y[inputs + i] = middle + (k - (outputs.length - 1) / 2) * gap; });
+      const tall = (outputs.length - 1) * gap + Math.min(34, gap + 8);
+      return { top: middle - tall / 2, height: tall, radius: Math.max(3, Math.min(9, gap * .38)) };
+    });
   }
 
   /** Hidden nodes stand at their layer; vertically in the middle of their neighbours, pushed apart where they would touch. */
@@ -76,6 +93,9 @@ class MindView {
     if (!surface) return;
     const { context: c, width, height } = surface;
     if (!this.at || this.at.width !== width || this.at.height !== height) this.layOut(width, height);
+    const shown = `${step} ${this.follow} ${this.canvas.width} ${this.canvas.height}`;
+    if (shown === this.shown) return;
+    this.shown = shown;
     c.clearRect(0, 0, width, height);
     const { module } = this.recording.column;
     const decided = module[step] === WALL && step > 0 ? step - 1 : step;
@@ -124,7 +144,7 @@ class MindView {
         if (!this.isOpen(d, step)) { c.fillStyle = "#232b4c"; c.fillRect(x + w / 2 - 2, y - .5, 4, 1); continue; }
         const value = this.value("sensor", d, i, step);
         c.fillStyle = "#070a16"; c.fillRect(x, y - bar / 2, w, bar);
-        c.fillStyle = value < 0 ? "#5b9cff" : d === shown ? "#ffce85" : "#8c96c4";
+        c.fillStyle = value < 0 ? "#ff6048" : d === shown ? "#9ccfff" : "#6f7cae";
         c.fillRect(x, y - bar / 2, Math.abs(value) * w, bar);
       }
     });
@@ -139,6 +159,7 @@ class MindView {
     const { at, network } = this, inputs = network.inputs.length;
     const before = Math.max(0, step - this.recording.detailEvery);
     const signal = network.links.map(l => l.weight * this.activation(l.source, direction, l.recurrent ? before : step));
+    this.drawBoxes(c, this.recording.column["moduleOf" + direction][step]);
     const order = network.links.map((_, i) => i).sort((a, b) => Math.abs(signal[a]) - Math.abs(signal[b]));
     for (const i of order) {
       const link = network.links[i], strength = Math.min(1, Math.abs(signal[i]));
@@ -166,20 +187,30 @@ class MindView {
     c.setLineDash([]);
   }
 
+  drawBoxes(c, winner) {
+    const { at } = this, half = at.small ? 18 : 22;
+    this.network.modules.forEach((name, module) => {
+      const { top, height } = at.boxes[module], wins = module === winner, colour = moduleColour(module);
+      c.globalAlpha = wins ? 1 : .6;
+      c.fillStyle = wins ? "#1c2548" : "#141a34"; c.strokeStyle = colour; c.lineWidth = wins ? 2 : 1;
+      if (wins) { c.shadowColor = colour; c.shadowBlur = 14; }
+      c.beginPath(); c.roundRect(at.last - half, top, 2 * half, height, 7); c.fill();
+      c.shadowBlur = 0;
+      c.stroke();
+      c.font = `${wins ? 700 : 500} ${at.small ? 11 : 12.5}px system-ui, sans-serif`;
+      c.textAlign = "left"; c.textBaseline = "bottom"; c.fillStyle = colour;
+      const text = at.small ? "M" + (module + 1) : fit(c, capital(name), (at.last - at.first) / 2), wide = c.measureText(text).width;
+      c.fillText(text, Math.min(at.last - wide / 2, at.width - wide - 2), top - 3);
+      c.globalAlpha = 1;
+    });
+  }
+
   drawNode(c, node, end, activation, winner) {
     const { at } = this, x = at.x[end], y = at.y[end];
-    if (node.kind === "HIDDEN") { this.dot(c, x, y, 5.5, activation, "#55608f"); return; }
-    const colour = moduleColour(node.module), wins = node.module === winner;
-    if (wins) { c.shadowColor = colour; c.shadowBlur = 16; }
-    if (node.kind === "POLICY") this.dot(c, x, y, 8, activation, colour, wins ? 3 : 1.6);
-    else this.dot(c, x, y, 7, activation, colour, wins ? 3 : 1.6, true);
-    c.shadowBlur = 0;
-    if (node.kind === "POLICY") {
-      c.textAlign = "left"; c.textBaseline = "middle"; c.fillStyle = colour; c.globalAlpha = wins ? 1 : .65;
-      c.font = `${wins ? 700 : 500} ${at.small ? 11 : 13}px system-ui, sans-serif`;
-      c.fillText("M" + (node.module + 1), x + 13, y);
-      c.globalAlpha = 1;
-    }
+    if (node.kind === "HIDDEN") { this.dot(c, x, y, 5.5, activation, "#6a76aa"); return; }
+    const { radius } = at.boxes[node.module], wins = node.module === winner;
+    if (node.kind === "POLICY") this.dot(c, x, y, radius, activation, wins ? "#fff" : "#c3cae6", wins ? 2.4 : 1.2);
+    else this.dot(c, x, y, radius * .85, activation, PREFERENCE_GREY, wins ? 2.4 : 1.2, true);
   }
 
   dot(c, x, y, radius, activation, edge, line = 1.2, diamond = false) {
@@ -199,7 +230,7 @@ class MindView {
     const near = at.x.findIndex((x, i) => i >= network.inputs.length && Math.hypot(x - px, at.y[i] - py) < 10);
     if (near >= 0) {
       const node = network.nodes[near - network.inputs.length], direction = this.direction(step);
-      const kind = node.kind === "HIDDEN" ? "hidden node" : `module ${node.module + 1} ${node.kind.toLowerCase()}`;
+      const kind = node.kind === "HIDDEN" ? "hidden node" : `${node.kind.toLowerCase()} of ${network.modules[node.module]}`;
       return `${kind}, ${DIRECTION_NAMES[direction]}: ` + (this.isOpen(direction, step) ? this.activation(near, direction, step).toFixed(2) : "wall");
     }
     const row = Math.floor((py - at.top) / at.row);

@@ -1,5 +1,5 @@
 /* Controls: playing, stepping, scrubbing, the numbers and the keyboard. */
-const STEPS_PER_SECOND = 25, SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16];
+const STEPS_PER_SECOND = 25, SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16], EVENT_MILLISECONDS = 900;
 
 class Player {
   constructor(recording) {
@@ -7,11 +7,14 @@ class Player {
     this.at = 0;
     this.speed = 2;
     this.playing = false;
+    this.holdUntil = 0;
     this.byId = id => document.getElementById(id);
     this.maze = new MazeView(recording, this.byId("maze-canvas"));
     this.mind = new MindView(recording, this.byId("mind-canvas"));
     this.timeline = new Timeline(recording, this.byId("timeline-canvas"));
     document.body.classList.toggle("no-network", recording.network.inputs.length === 0);
+    document.body.classList.toggle("one-life", Math.max(...new Set(recording.column.lives)) <= 1);
+    document.body.classList.toggle("one-game", recording.gameStarts.length === 1);
     this.listModules();
     this.connect();
     this.seek(0);
@@ -25,15 +28,23 @@ class Player {
   frame(now) {
     const elapsed = Math.min(100, now - this.time) / 1000;
     this.time = now;
-    if (this.playing) {
-      this.at = Math.min(this.last, this.at + elapsed * STEPS_PER_SECOND * this.speed);
-      if (this.at >= this.last) this.pause();
+    if (this.playing && now >= this.holdUntil) {
+      this.advance(elapsed * STEPS_PER_SECOND * this.speed, now);
       this.show();
     }
     this.maze.draw(this.at, now);
     this.mind.draw(this.step);
     this.timeline.draw(this.at);
     requestAnimationFrame(next => this.frame(next));
+  }
+
+  /** Goes on; where a life or a game ends it holds for a moment, so that the reason can be read. */
+  advance(steps, now) {
+    const to = Math.min(this.last, this.at + steps);
+    const event = this.recording.events.find(e => e.step > this.at && e.step <= to && e.step < this.last);
+    this.at = event ? event.step : to;
+    if (event) this.holdUntil = now + EVENT_MILLISECONDS;
+    if (this.at >= this.last) this.pause();
   }
 
   play() {
@@ -76,22 +87,23 @@ class Player {
     const { column, network } = this.recording, counts = new Map();
     for (const module of column.module) if (module !== WALL) counts.set(module, (counts.get(module) || 0) + 1);
     const total = [...counts.values()].reduce((a, b) => a + b, 0) || 1;
-    for (let m = 0; m < Math.max(1, network.modules); m++) {
+    network.modules.forEach((name, m) => {
       const item = document.createElement("li"), swatch = document.createElement("i");
       swatch.style.setProperty("--c", moduleColour(m));
-      item.append(swatch, `Module ${m + 1} · ${(100 * (counts.get(m) || 0) / total).toFixed(1)}%`);
+      item.append(swatch, `${capital(name)} · ${(100 * (counts.get(m) || 0) / total).toFixed(1)}%`);
       this.byId("modules").append(item);
-    }
+    });
   }
 
   show() {
-    const step = this.step, { column, steps, ghostsEaten, outcomes } = this.recording;
+    const step = this.step, { column, steps, ghostsEaten, events, total } = this.recording;
     const chapter = chapterAt(this.recording, step), left = pillsAt(this.recording, chapter, step);
     const number = value => value.toLocaleString("en");
     const put = (id, text) => { const e = this.byId(id); if (e.textContent !== text) e.textContent = text; };
     put("score", number(column.score[step]));
+    put("total", number(total[step]));
     put("maze-label", chapter.game || `Level ${chapter.level + 1}`);
-    put("maze", String.fromCharCode(65 + chapter.maze));
+    put("maze", mazeLetter(chapter));
     put("pills", left.powerPills.size ? `${left.pills.size}+${left.powerPills.size}` : String(left.pills.size));
     put("ghosts", String(ghostsEaten[step]));
     put("lives", String(column.lives[step]));
@@ -101,9 +113,10 @@ class Player {
     slider.setAttribute("aria-valuenow", step);
     slider.setAttribute("aria-valuetext", `step ${step}, ${chapterName(chapter)}, score ${column.score[step]}`);
     [...this.byId("modules").children].forEach((item, m) => item.classList.toggle("now", column.module[step] === m));
-    const outcome = outcomes.find(o => step === o.step);
-    this.byId("outcome").hidden = !outcome;
-    if (outcome) put("outcome", outcome.text);
+    put("decision", this.mind.decision(step));
+    const event = events.find(e => step === e.step);
+    this.byId("outcome").hidden = !event;
+    if (event) put("outcome", event.text);
   }
 
   showPlaying() {
@@ -157,7 +170,7 @@ class Player {
 
   connectTip() {
     const canvas = this.byId("mind-canvas"), tip = this.byId("tip");
-    canvas.addEventListener("pointermove", event => {
+    const tell = event => {
       const box = canvas.getBoundingClientRect(), outer = canvas.parentElement.getBoundingClientRect();
       const text = this.mind.describe(event.clientX - box.left, event.clientY - box.top, this.step);
       tip.hidden = !text;
@@ -165,7 +178,9 @@ class Player {
       tip.textContent = text;
       tip.style.left = Math.min(event.clientX - outer.left + 14, outer.width - tip.offsetWidth - 8) + "px";
       tip.style.top = event.clientY - outer.top + 16 + "px";
-    });
+    };
+    canvas.addEventListener("pointermove", tell);
+    canvas.addEventListener("pointerdown", tell);
     canvas.addEventListener("pointerleave", () => { tip.hidden = true; });
   }
 

@@ -35,13 +35,21 @@ async function readRecording(element) {
   recording.column = column;
   recording.mazeOf = Object.fromEntries(recording.mazes.map(maze => [maze.index, maze]));
   recording.ghostsEaten = countGhosts(recording);
+  recording.gameStarts = gameStarts(recording);
+  recording.total = addGames(recording);
+  recording.deaths = findDeaths(recording);
+  recording.events = listEvents(recording);
   return recording;
 }
 
+/** First step of each game of the recording. */
+function gameStarts({ chapters }) {
+  return chapters.filter((c, i) => i === 0 || c.game !== chapters[i - 1].game).map(c => c.step);
+}
+
 /** Ghosts eaten up to each step, counted anew for each game of the recording. */
-function countGhosts({ steps, column, chapters }) {
-  const eaten = new Uint16Array(steps);
-  const starts = new Set(chapters.filter((c, i) => i === 0 || c.game !== chapters[i - 1].game).map(c => c.step));
+function countGhosts(recording) {
+  const { steps, column } = recording, eaten = new Uint16Array(steps), starts = new Set(gameStarts(recording));
   for (let i = 1; i < steps; i++) {
     if (starts.has(i)) continue;
     eaten[i] = eaten[i - 1];
@@ -52,8 +60,43 @@ function countGhosts({ steps, column, chapters }) {
   return eaten;
 }
 
-/* One colour per module, told apart by colour-blind readers and, by brightness, in grey. */
-const MODULE_COLOURS = ["#ffb000", "#5b8cff", "#e8327c", "#35d3b0", "#b48cff", "#ff7a2e", "#9fe84a", "#c9d2f0"];
+/** Points up to each step, those of the games before included. */
+function addGames({ steps, column, gameStarts }) {
+  const total = new Uint32Array(steps), starts = new Set(gameStarts);
+  let before = 0;
+  for (let i = 0; i < steps; i++) {
+    if (i > 0 && starts.has(i)) before += column.score[i - 1];
+    total[i] = before + column.score[i];
+  }
+  return total;
+}
+
+/** Steps in which a life is lost and the game goes on: the last one before Ms. Pac-Man starts again. */
+function findDeaths({ steps, column, gameStarts }) {
+  const starts = new Set(gameStarts), deaths = [];
+  for (let i = 1; i < steps - 1; i++) if (!starts.has(i) && column.lives[i] < column.lives[i - 1] && !starts.has(i + 1)) deaths.push(i - 1);
+  return deaths;
+}
+
+/** What deserves a word: ends of games and lives lost, by step. */
+function listEvents({ steps, column, deaths, outcomes, gameStarts, total }) {
+  const games = gameStarts.length;
+  const ends = outcomes.map(o => ({
+    step: o.step,
+    text: games > 1 && o.step === steps - 1 ? `${o.text} · ${total[o.step].toLocaleString("en")} in all ${games} games` : o.text,
+  }));
+  const lost = deaths.map(step => {
+    const left = column.lives[step + 1];
+    return { step, text: `Caught · ${left} ${left === 1 ? "life" : "lives"} left` };
+  });
+  return [...lost, ...ends].sort((a, b) => a.step - b.step);
+}
+
+/*
+ * One colour per module, told apart by colour-blind readers and, by brightness, in grey. Blue is left to the walls, the edible
+ * ghosts and the exciting signals, red to the inhibiting ones.
+ */
+const MODULE_COLOURS = ["#ffb52e", "#a070ff", "#2fd0a5", "#f0529c", "#cfe86a", "#ff7a2e", "#8adcff", "#c9d2f0"];
 const moduleColour = module => module === WALL ? "#6b7496" : MODULE_COLOURS[module % MODULE_COLOURS.length];
 
 /** Makes a canvas as fine as the screen; returns its context in CSS pixels, or null while it is not shown. */
@@ -66,3 +109,5 @@ function sharp(canvas) {
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   return { context, width: box.width, height: box.height, ratio };
 }
+
+const capital = text => text.charAt(0).toUpperCase() + text.slice(1);

@@ -48,18 +48,35 @@ class Timeline {
       if (edible) { c.fillStyle = "#7f9bff"; c.fillRect(px, band - 4, 1, 4); }
     }
     this.paintScore(c, width, band - 7);
-    c.font = "11px system-ui, sans-serif"; c.textBaseline = "middle";
-    recording.chapters.forEach((chapter, i) => {
-      const x = this.x(chapter.step, width);
-      if (i > 0) { c.fillStyle = "#090c16"; c.fillRect(x - 1, 0, 2, height); }
-      const end = i + 1 < recording.chapters.length ? this.x(recording.chapters[i + 1].step, width) : width;
-      c.fillStyle = "#aab3d6"; c.textAlign = "left";
-      c.fillText(fit(c, chapterName(chapter), end - x - 6), x + 4, height - 7);
+    for (const death of recording.deaths) this.cross(c, this.x(death, width), 8);
+    this.paintNames(c, width, height);
+  }
+
+  /** A life lost. */
+  cross(c, x, y) {
+    for (const [colour, line] of [["#04060d", 5], ["#ff6048", 2.2]]) {
+      c.strokeStyle = colour; c.lineWidth = line; c.lineCap = "round";
+      c.beginPath(); c.moveTo(x - 4, y - 4); c.lineTo(x + 4, y + 4); c.moveTo(x + 4, y - 4); c.lineTo(x - 4, y + 4); c.stroke();
+    }
+  }
+
+  /** Below each part the longest of its names that fits. */
+  paintNames(c, width, height) {
+    const { chapters } = this.recording;
+    c.font = "11px system-ui, sans-serif"; c.textBaseline = "middle"; c.textAlign = "left"; c.fillStyle = "#aab3d6";
+    chapters.forEach((chapter, i) => {
+      const x = this.x(chapter.step, width), end = i + 1 < chapters.length ? this.x(chapters[i + 1].step, width) : width;
+      const firstOfGame = i === 0 || chapters[i - 1].game !== chapter.game;
+      if (i > 0) { c.fillStyle = "#090c16"; c.fillRect(x - (firstOfGame ? 2 : 1), 0, firstOfGame ? 4 : 2, height); c.fillStyle = "#aab3d6"; }
+      const letter = mazeLetter(chapter), maze = "Maze " + letter;
+      const names = chapter.game && firstOfGame ? [`${chapter.game} · ${maze}`, `${chapter.game} · ${letter}`, letter] : [maze, letter];
+      const name = names.find(text => c.measureText(text).width <= end - x - 6);
+      if (name) c.fillText(name, x + 4, height - 7);
     });
   }
 
   paintScore(c, width, height) {
-    const { steps, column } = this.recording, top = Math.max(1, ...column.score);
+    const { steps, column } = this.recording, top = column.score.reduce((most, score) => Math.max(most, score), 1);
     c.beginPath();
     for (let px = 8; px <= width - 8; px++) {
       const y = height - (height - 3) * column.score[Math.min(steps - 1, this.step(px, width))] / top;
@@ -70,7 +87,9 @@ class Timeline {
   }
 }
 
+const mazeLetter = chapter => String.fromCharCode(65 + chapter.maze);
+
 function chapterName(chapter) {
-  const maze = "Maze " + String.fromCharCode(65 + chapter.maze);
+  const maze = "Maze " + mazeLetter(chapter);
   return chapter.game ? `${chapter.game} · ${maze}` : maze;
 }

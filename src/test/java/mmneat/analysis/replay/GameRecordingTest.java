@@ -7,8 +7,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import mmneat.analysis.HeadlessChromium;
+import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.evaluation.ChampionLabels;
+import mmneat.analysis.evaluation.PlayerSettings;
+import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.evaluation.SensorNames;
+import mmneat.analysis.evaluation.ShippedChampions;
 import mmneat.evolution.Evaluation;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;
@@ -40,7 +48,7 @@ class GameRecordingTest {
     void shadowNetworks_wantWhatThePlayerWants_inEveryStep() {
         for (int seed = 0; seed < 5; seed++) {
             Genotype genotype = network(seed, ModuleLayout.withPreferenceNeurons(2, 1));
-            ReplayNetwork picture = NetworkPicture.of(genotype, List.copyOf(new MsPacManTask(BLENDED).inputLabels()));
+            ReplayNetwork picture = NetworkPicture.of(genotype, ChampionLabels.of(BLENDED, genotype.layout()));
             ReplayStep step = new ReplayStep(picture);
             ShadowNetworks shadow = new ShadowNetworks(BLENDED, genotype);
             int[] compared = {0};
@@ -94,6 +102,115 @@ class GameRecordingTest {
             assertThat(browser.text("#outcome")).contains(String.format("%,d points", replay.finalScore()));
             assertThat(browser.complaints()).isEmpty();
         }
+    }
+
+    private void open(HeadlessChromium browser, Replay replay) throws IOException {
+        String html = ReplayPage.html(replay);
+        assertThat(html.getBytes(StandardCharsets.UTF_8).length).isLessThan(3_000_000);
+        browser.open(Files.writeString(folder.resolve("game.html"), html));
+        browser.waitUntil("window.player !== undefined");
+    }
+
+    private static void assertNoSidewaysScrolling(HeadlessChromium browser) {
+        for (int[] size : new int[][] {{1366, 768, 0}, {390, 844, 1}, {844, 390, 1}}) {
+            browser.resize(size[0], size[1], size[2] == 1);
+            assertThat(browser.evaluate("document.documentElement.scrollWidth - innerWidth")
+                            .asInt())
+                    .isLessThanOrEqualTo(0);
+        }
+    }
+
+    @Test
+    void isolatedTrial_showsItsFiveGames_andTheirScoresTogether() throws IOException {
+        Champion champion = ShippedChampions.read("isolated");
+        MsPacManTaskSettings settings = PlayerSettings.of(champion, Optional.empty(), Rules.TRAINING, Optional.empty());
+        Evaluation evaluation = new MsPacManTask(settings).evaluate(champion.genotype(), new ResumableRandom(2));
+        int sum = (int) evaluation.otherScores()[0];
+        Replay replay = GameRecording.record(settings, champion.genotype(), 2, new ReplayTitle("five games", ""));
+        assertThat(replay.finalScore()).isEqualTo(sum);
+        try (HeadlessChromium browser = HeadlessChromium.start()) {
+            open(browser, replay);
+            assertThat(browser.evaluate("player.recording.gameStarts.length").asInt())
+                    .isEqualTo(5);
+            assertThat(browser.text("#maze-label")).isEqualTo("Pills");
+            browser.evaluate("player.setSpeed(16)");
+            browser.press(" ");
+            // It holds at the end of the first game, and says how it ended.
+            browser.waitUntil("!document.getElementById('outcome').hidden");
+            assertThat(browser.evaluate("player.step").asInt())
+                    .isEqualTo(browser.evaluate("player.recording.gameStarts[1] - 1")
+                            .asInt());
+            String ofPillGame = browser.text("#score");
+            assertThat(browser.text("#outcome")).contains(ofPillGame + " points");
+            browser.waitUntil("player.step > player.recording.gameStarts[1]");
+            browser.press(" ");
+            assertThat(browser.text("#maze-label")).isEqualTo("Ghosts 1");
+            browser.press("End");
+            assertThat(browser.text("#total")).isEqualTo(String.format(Locale.ROOT, "%,d", sum));
+            assertThat(browser.text("#outcome"))
+                    .contains(browser.text("#score") + " points")
+                    .endsWith(String.format(Locale.ROOT, "%,d in all 5 games", sum));
+            assertNoSidewaysScrolling(browser);
+            assertThat(browser.complaints()).isEmpty();
+        }
+    }
+
+    @Test
+    void fourMazeGame_showsLivesLost_andEndsWithItsScore() throws IOException {
+        Champion champion = ShippedChampions.read("interleaved");
+        MsPacManTaskSettings settings =
+                PlayerSettings.of(champion, Optional.empty(), Rules.FOUR_MAZE, Optional.empty());
+        Evaluation evaluation = new MsPacManTask(settings).evaluate(champion.genotype(), new ResumableRandom(0));
+        String score = String.format(Locale.ROOT, "%,d", (int) evaluation.otherScores()[0]);
+        Replay replay = GameRecording.record(settings, champion.genotype(), 0, new ReplayTitle("four mazes", ""));
+        try (HeadlessChromium browser = HeadlessChromium.start()) {
+            open(browser, replay);
+            assertThat(browser.text("#lives")).isEqualTo("3");
+            int deaths = browser.evaluate("player.recording.deaths.length").asInt();
+            assertThat(deaths).isPositive();
+            browser.evaluate("player.seek(player.recording.deaths[0])");
+            assertThat(browser.text("#outcome")).startsWith("Caught · ");
+            String before = browser.text("#lives");
+            browser.press("ArrowRight");
+            assertThat(Integer.parseInt(browser.text("#lives"))).isEqualTo(Integer.parseInt(before) - 1);
+            browser.press("Home");
+            for (int maze = 2; maze <= 4; maze++) {
+                browser.press("n");
+                assertThat(browser.text("#maze-label")).isEqualTo("Level " + maze);
+            }
+            browser.press("End");
+            assertThat(browser.text("#score")).isEqualTo(score);
+            assertThat(browser.text("#outcome")).endsWith(score + " points");
+            assertNoSidewaysScrolling(browser);
+            assertThat(browser.complaints()).isEmpty();
+        }
+    }
+
+    @Test
+    void longGame_keepsDetailsOfFewerSteps_butAllMovesAndScores() {
+        Genotype genotype = network(3, ModuleLayout.withPreferenceNeurons(3, 1));
+        ReplayTitle title = new ReplayTitle("a game", "seed 7");
+        Replay whole = GameRecording.record(BLENDED, genotype, 7, title);
+        Replay small = GameRecording.record(BLENDED, genotype, 7, title, whole.dataLength() * 3 / 4);
+        assertThat(whole.json()).contains("\"detailEvery\":1,");
+        assertThat(small.json()).containsPattern("\"detailEvery\":[248],");
+        assertThat(small.dataLength()).isLessThanOrEqualTo(whole.dataLength() * 3 / 4);
+        assertThat(small.steps()).isEqualTo(whole.steps());
+        assertThat(small.finalScore()).isEqualTo(whole.finalScore());
+    }
+
+    @Test
+    void modulesOfADivision_bearTheirSituation() {
+        MsPacManTaskSettings settings = PlayerSettings.of(
+                new Champion(network(1, ModuleLayout.multitask(3, 1)), Path.of("mt3.json"), Optional.empty(), Map.of()),
+                Optional.of("blended"),
+                Rules.TRAINING,
+                Optional.empty());
+        assertThat(ChampionLabels.of(settings, ModuleLayout.multitask(3, 1)).modules())
+                .containsExactly("module 1: all edible", "module 2: all threats", "module 3: threats and edible");
+        assertThat(ChampionLabels.of(settings, ModuleLayout.withPreferenceNeurons(2, 1))
+                        .modules())
+                .containsExactly("module 1", "module 2");
     }
 
     @Test

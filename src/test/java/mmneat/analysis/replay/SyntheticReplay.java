@@ -30,7 +30,7 @@ final class SyntheticReplay {
                         new Link(2, 3, 1, false),
                         new Link(2, 5, -1, false),
                         new Link(2, 2, 0.5, true)),
-                2);
+                List.of("module 1", "module 2"));
         ReplayRecorder recorder = new ReplayRecorder(network, 1);
         recorder.addMaze(maze());
         ReplayStep step = new ReplayStep(network);
