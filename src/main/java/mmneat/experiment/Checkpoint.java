@@ -19,10 +19,17 @@ import mmneat.neat.io.GenotypeJson;
  * @param format always {@value #FORMAT}
  * @param version version of the format
  * @param logs length in bytes of every log when the generation was over
+ * @param unforced what of the run's files had been written but not forced to the disk; empty: nothing, it all outlives a failure
+ *     of the machine
  * @param evolution population, generator, counters
  */
-@JsonPropertyOrder({"format", "version", "logs", "evolution"})
-record Checkpoint(String format, int version, SortedMap<String, Long> logs, EvolutionState evolution) {
+@JsonPropertyOrder({"format", "version", "logs", "unforced", "evolution"})
+record Checkpoint(
+        String format,
+        int version,
+        SortedMap<String, Long> logs,
+        SortedMap<String, UnforcedFiles.Stretch> unforced,
+        EvolutionState evolution) {
 
     private static final String FORMAT = "mmneat-checkpoint";
     private static final int VERSION = 1;
@@ -36,10 +43,23 @@ record Checkpoint(String format, int version, SortedMap<String, Long> logs, Evol
         }
         Objects.requireNonNull(logs, "logs");
         Objects.requireNonNull(evolution, "evolution");
+        // Earlier programs forced everything and did not say so.
+        unforced = unforced == null ? new TreeMap<>() : unforced;
     }
 
-    static Checkpoint of(EvolutionState evolution, Map<String, Long> logs) {
-        return new Checkpoint(FORMAT, VERSION, new TreeMap<>(logs), evolution);
+    static Checkpoint of(
+            EvolutionState evolution, Map<String, Long> logs, SortedMap<String, UnforcedFiles.Stretch> unforced) {
+        return new Checkpoint(FORMAT, VERSION, new TreeMap<>(logs), unforced, evolution);
+    }
+
+    /** Whether all files of the run were on the disk when this was written. */
+    boolean wasForced() {
+        return unforced.isEmpty();
+    }
+
+    /** The same, after all files of the run were forced to the disk. */
+    Checkpoint forced() {
+        return new Checkpoint(format, version, logs, new TreeMap<>(), evolution);
     }
 
     byte[] toJson() {

@@ -23,9 +23,17 @@ final class DurableFiles {
 
     private DurableFiles() {}
 
+    /** Makes a folder if it does not exist, also on the disk. */
+    static void makeFolder(Path folder) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            Files.createDirectories(folder);
+            force(folder.toAbsolutePath().getParent());
+        }
+    }
+
     /** Writes a file, replacing it if it exists; its folder is made if it does not exist. */
     static void write(Path file, byte[] content) throws IOException {
-        Files.createDirectories(file.toAbsolutePath().getParent());
+        makeFolder(file.toAbsolutePath().getParent());
         Path unfinished = writeUnfinished(file, content);
         rename(unfinished, file);
     }
@@ -35,7 +43,7 @@ final class DurableFiles {
      * moment, but after a failure of the power the file may be empty unless {@link #force} was called.
      */
     static void replace(Path file, byte[] content) throws IOException {
-        Files.createDirectories(file.toAbsolutePath().getParent());
+        makeFolder(file.toAbsolutePath().getParent());
         Path unfinished = file.resolveSibling(file.getFileName() + UNFINISHED);
         Files.write(unfinished, content);
         Files.move(unfinished, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
@@ -55,18 +63,15 @@ final class DurableFiles {
         }
     }
 
-    /** Writes a file as {@link #write} does, and keeps its last content under another name. */
-    static void writeKeepingPrevious(Path file, Path previous, byte[] content) throws IOException {
-        Path unfinished = writeUnfinished(file, content);
-        if (Files.exists(file)) {
-            rename(file, previous);
-        }
-        rename(unfinished, file);
+    /** Gives a file another name, also on the disk. */
+    static void rename(Path from, Path to) throws IOException {
+        Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        force(to.toAbsolutePath().getParent());
     }
 
     /** Cuts a file at the length and adds to it; {@link #force} puts it on the disk. */
     static void appendAt(Path file, long length, byte[] content) throws IOException {
-        Files.createDirectories(file.toAbsolutePath().getParent());
+        makeFolder(file.toAbsolutePath().getParent());
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, StandardOpenOption.CREATE)) {
             channel.truncate(length);
             channel.position(length);
@@ -92,11 +97,6 @@ final class DurableFiles {
         while (buffer.hasRemaining()) {
             channel.write(buffer);
         }
-    }
-
-    private static void rename(Path from, Path to) throws IOException {
-        Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        force(to.toAbsolutePath().getParent());
     }
 
     /** A rename is on disk when the folder is. Windows does not open folders and writes renames by itself. */

@@ -16,9 +16,12 @@ import java.util.stream.Stream;
 /**
  * The files of one run, kept so that they always belong to a complete generation.
  *
- * <p>Whole files ({@link #write}) are there at once and complete, on the disk with the next {@link #flush}. Rows of logs ({@link #append}) are held back and reach their
+ * <p>Whole files ({@link #write}) are there at once and complete. Rows of logs ({@link #append}) are held back and reach their
  * files together ({@link #flush}), just before the checkpoint that remembers the lengths is written. After a crash the logs
  * are cut back to the lengths of the checkpoint that is there ({@link #cutTo}); what was written since is made again.
+ *
+ * <p>When the operating system puts it all on the disk is its own affair until {@link #force}: waiting for a disk file by file
+ * takes longer than many a generation. Until then {@link #unforced} tells by checksums what a failure of the machine may lose.
  *
  * <p>Names are relative to the folder, with {@code /} between the parts, for example {@code bestPacMan/score.txt}; those of
  * the logs and score files start with {@link #prefix()}. Texts are written in UTF-8.
@@ -32,8 +35,10 @@ public final class RunFolder {
     private final Map<String, StringBuilder> held = new TreeMap<>();
     private final Map<String, Long> lengths = new TreeMap<>();
 
-    /** Files that the operating system may not have put on the disk yet. */
-    private final Set<Path> written = new TreeSet<>();
+    private final UnforcedFiles unforced;
+
+    /** Files that are written again from the checkpoint when a run is continued; forced when it is complete. */
+    private final Set<Path> remakeable = new TreeSet<>();
 
     /**
      * @param directory the run's folder
@@ -42,6 +47,7 @@ public final class RunFolder {
     public RunFolder(Path directory, String prefix) {
         this.directory = directory;
         this.prefix = prefix;
+        unforced = new UnforcedFiles(directory);
     }
 
     /** The run's folder. */
@@ -61,9 +67,22 @@ public final class RunFolder {
 
     /** Writes a file, replacing it if it exists. */
     public void write(String name, byte[] content) {
+        replace(name, content);
+        unforced.replaced(name, content);
+    }
+
+    /**
+     * Writes a file that follows from the checkpoint alone, replacing it if it exists. Whoever continues the run has to write it
+     * again.
+     */
+    public void writeRemakeable(String name, String content) {
+        replace(name, content.getBytes(StandardCharsets.UTF_8));
+        remakeable.add(directory.resolve(name));
+    }
+
+    private void replace(String name, byte[] content) {
         try {
             DurableFiles.replace(directory.resolve(name), content);
-            written.add(directory.resolve(name));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -72,6 +91,17 @@ public final class RunFolder {
     /** Adds text to a log; it stands in the file after the next {@link #flush}. */
     public void append(String name, String text) {
         held.computeIfAbsent(name, key -> new StringBuilder()).append(text);
+    }
+
+    /** The names of the folders in it, in no order. */
+    public List<String> folders() {
+        try (Stream<Path> entries = Files.list(directory)) {
+            return entries.filter(Files::isDirectory)
+                    .map(folder -> folder.getFileName().toString())
+                    .toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     /** Deletes a folder of the run with the files in it, if it is there. */
@@ -85,15 +115,16 @@ public final class RunFolder {
                     entries.sorted(Comparator.reverseOrder()).toList();
             for (Path entry : innermostFirst) {
                 Files.delete(entry);
-                written.remove(entry);
+                remakeable.remove(entry);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+        unforced.deletedFolder(name);
     }
 
     /**
-     * Puts all text that was added into the logs, and waits until everything is on the disk.
+     * Puts all text that was added into the logs.
      *
      * @return the length in bytes of every log, for {@link #cutTo}
      */
@@ -104,20 +135,39 @@ public final class RunFolder {
             try {
                 // A log that no checkpoint knows is what a crash left: it starts again.
                 DurableFiles.appendAt(directory.resolve(name), length, content);
-                written.add(directory.resolve(name));
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
+            unforced.appended(name, length, content);
             lengths.put(name, length + content.length);
         });
         held.clear();
+        return Map.copyOf(lengths);
+    }
+
+    /** What may not be on the disk yet, besides what can be made again; changes with every call that writes. */
+    UnforcedFiles unforced() {
+        return unforced;
+    }
+
+    /** Waits until everything is on the disk that cannot be made again from a checkpoint. */
+    void force() {
         try {
-            DurableFiles.force(written);
+            unforced.force();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        written.clear();
-        return Map.copyOf(lengths);
+    }
+
+    /** Waits until everything is on the disk. */
+    void forceAll() {
+        force();
+        try {
+            DurableFiles.force(remakeable);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        remakeable.clear();
     }
 
     /**

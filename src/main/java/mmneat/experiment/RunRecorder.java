@@ -1,11 +1,13 @@
 package mmneat.experiment;
 
+import java.io.IOException;
 import java.util.Map;
 import mmneat.evolution.EvolutionObserver;
 import mmneat.evolution.EvolutionState;
 import mmneat.evolution.Generation;
 import mmneat.evolution.Individual;
 import mmneat.evolution.Task;
+import mmneat.experiment.files.RunFiles;
 import mmneat.neat.io.GenotypeJson;
 
 /**
@@ -16,19 +18,20 @@ final class RunRecorder implements EvolutionObserver {
 
     private final Task task;
     private final RunFolder folder;
-    private final EvolutionObserver files;
+    private final RunFiles files;
     private final CheckpointFile checkpoint;
     private final RunLock lock;
     private final CommitGate gate;
     private final RunMonitor monitor;
     private final GenerationTable table;
+    private final ForcingSchedule forcing = new ForcingSchedule(System::nanoTime);
     private int completedHere;
     private RunStatus status;
 
     RunRecorder(
             Task task,
             RunFolder folder,
-            EvolutionObserver files,
+            RunFiles files,
             CheckpointFile checkpoint,
             RunLock lock,
             CommitGate gate,
@@ -65,8 +68,7 @@ final class RunRecorder implements EvolutionObserver {
             folder.write(
                     "champion.json",
                     GenotypeJson.write(generation.champion(task).genotype()));
-            Map<String, Long> logs = folder.flush();
-            checkpoint.save(Checkpoint.of(next, logs).toJson());
+            saveCheckpoint(next);
             record(generation, next.generation(), RunStatus.State.RUNNING);
         });
     }
@@ -78,12 +80,26 @@ final class RunRecorder implements EvolutionObserver {
             folder.append(
                     GenerationTable.FILE, (finalParents.number() == 0 ? table.header() : "") + table.row(finalParents));
             folder.flush();
+            folder.forceAll();
             // No checkpoint: that of the last generation stays, so that the run can be continued with more generations.
             record(finalParents, finalParents.number(), RunStatus.State.FINISHED);
         });
     }
 
-    private void record(Generation generation, int completed, RunStatus.State state) throws java.io.IOException {
+    private void saveCheckpoint(EvolutionState next) throws IOException {
+        Map<String, Long> logs = folder.flush();
+        // The last one must be good for continuing with more generations, when later files have replaced some that it
+        // knows.
+        boolean isLast = next.generation() >= status.generations();
+        if (isLast || forcing.isDue(folder.unforced().count())) {
+            files.writeNewestNetworks(next);
+            folder.force();
+            forcing.done();
+        }
+        checkpoint.save(Checkpoint.of(next, logs, folder.unforced().stretches()));
+    }
+
+    private void record(Generation generation, int completed, RunStatus.State state) throws IOException {
         double[] scores = GenerationTable.scores(task, generation);
         double best = scores[scores.length - 1];
         double median = GenerationTable.median(scores);

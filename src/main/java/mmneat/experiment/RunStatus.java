@@ -57,8 +57,13 @@ public record RunStatus(
     }
 
     void write(Path directory) throws IOException {
-        DurableFiles.write(
-                file(directory), JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(this));
+        byte[] json = JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(this);
+        if (state == State.RUNNING) {
+            // The next one is soon there.
+            DurableFiles.replace(file(directory), json);
+        } else {
+            DurableFiles.write(file(directory), json);
+        }
     }
 
     /** When the status of a run was written last. */

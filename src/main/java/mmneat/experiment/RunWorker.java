@@ -3,7 +3,6 @@ package mmneat.experiment;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
-import java.nio.file.Files;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -75,7 +74,7 @@ final class RunWorker {
     }
 
     private RunOutcome evolveLocked() throws Exception {
-        gate.pass(() -> Files.createDirectories(run.directory()));
+        gate.pass(() -> DurableFiles.makeFolder(run.directory()));
         RunLock lock = RunLock.acquire(run.directory(), RunLock.Timing.USUAL);
         try {
             // Listed, it is given back by whoever ends the program; that must not have happened before.
@@ -115,14 +114,21 @@ final class RunWorker {
     private EvolutionState begin(
             EvolutionSettings settings, RunFolder folder, RunFiles files, CheckpointFile checkpoint)
             throws IOException {
-        Optional<byte[]> saved = checkpoint.load();
+        Optional<Checkpoint> saved = checkpoint.load();
         if (saved.isEmpty()) {
             EvolutionState initial = EvolutionState.initial(settings);
             files.begin(initial);
             return initial;
         }
-        Checkpoint last = Checkpoint.fromJson(saved.get(), run.directory());
+        Checkpoint last = saved.get();
         folder.cutTo(last.logs());
+        files.writeNewestNetworks(last.evolution());
+        if (!last.wasForced()) {
+            DurableFiles.force(last.unforced().keySet().stream()
+                    .map(run.directory()::resolve)
+                    .toList());
+            checkpoint.save(last.forced());
+        }
         return last.evolution();
     }
 

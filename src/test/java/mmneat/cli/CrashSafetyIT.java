@@ -112,10 +112,12 @@ class CrashSafetyIT {
         for (String moment : List.of(
                 "initial",
                 "blended-2M0_child_gen0.txt",
+                "gen1",
                 "checkpoint.json.gz",
-                "blended-2M0_parents_gen1.txt",
-                "gen2",
                 "checkpoint-previous.json.gz",
+                "blended-2M0_parents_gen1.txt",
+                "blended-2M0_child_other_scores_gen2.txt",
+                "gen4",
                 "blended-2M0_child_gen3.txt")) {
             Process process = start(base);
             awaitFile(process, base.resolve("2M0").resolve(moment));

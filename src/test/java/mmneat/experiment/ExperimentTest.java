@@ -142,6 +142,62 @@ class ExperimentTest {
     }
 
     @Test
+    void unforcedFilesThatAFailingMachineLost_areMadeAgain_theSame() throws Exception {
+        run("whole", "maxGens=30", "method=MMD");
+        Experiment experiment = new Experiment(plan("stopped", "maxGens=30", "method=MMD"));
+        ExecutorService other = Executors.newSingleThreadExecutor();
+        Future<List<RunOutcome>> running = other.submit(experiment::run);
+        while (experiment.monitors().get(0).snapshot().generation() < 4) {
+            Thread.onSpinWait();
+        }
+        assertThat(experiment.halt(Duration.ofMinutes(1))).isTrue();
+        assertThat(running.get().get(0).phase()).isEqualTo(RunMonitor.Phase.STOPPED);
+        other.shutdown();
+
+        Path stopped = folder.resolve("stopped/MMD0");
+        Checkpoint checkpoint = new CheckpointFile(stopped).load().orElseThrow();
+        List<String> files = new ArrayList<>(checkpoint.unforced().keySet());
+        assertThat(files)
+                .contains(
+                        "generations.csv",
+                        "XorTask-MMD0_parents_gen2.txt",
+                        "XorTask-MMD0_Lineage_log.txt",
+                        "bestPacMan/bestPacMan.xml")
+                .doesNotContain("XorTask-MMD0_parents_gen0.txt");
+        files.addAll(List.of("archetype0.xml", "gen1/XorTask-MMD0_gen1_3.xml", "checkpoint.json.gz", "status.json"));
+        for (int loss = 0; loss < 3; loss++) {
+            Path damaged = folder.resolve("damaged" + loss + "/MMD0");
+            copy(stopped, damaged);
+            for (String file : files) {
+                // Of a log a failure takes what was added since it was forced.
+                UnforcedFiles.Stretch stretch = checkpoint.unforced().get(file);
+                int forced = stretch == null ? 0 : (int) stretch.from();
+                byte[] left = losses(Files.readAllBytes(stopped.resolve(file)), forced)
+                        .get(loss);
+                Files.write(damaged.resolve(file), left);
+            }
+            run("damaged" + loss, "maxGens=30", "method=MMD");
+            assertThat(content(damaged)).as("loss %d", loss).isEqualTo(content(folder.resolve("whole/MMD0")));
+        }
+    }
+
+    /** What may be left of a file: nothing, half of what was not forced to the disk, or zeros in place of it. */
+    private static List<byte[]> losses(byte[] content, int forced) {
+        byte[] zeros = Arrays.copyOf(Arrays.copyOf(content, forced), content.length);
+        return List.of(Arrays.copyOf(content, forced), Arrays.copyOf(content, (forced + content.length) / 2), zeros);
+    }
+
+    private static void copy(Path from, Path to) throws IOException {
+        try (Stream<Path> files = Files.walk(from)) {
+            for (Path file : (Iterable<Path>) files::iterator) {
+                Path copied = to.resolve(from.relativize(file).toString());
+                Files.createDirectories(copied.getParent());
+                Files.copy(file, copied);
+            }
+        }
+    }
+
+    @Test
     void movedFolder_isContinuedWhereItIs() throws Exception {
         run("whole", "maxGens=6");
         run("here", "maxGens=3");

@@ -10,8 +10,10 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 import mmneat.evolution.Evolution;
+import mmneat.evolution.EvolutionObserver;
 import mmneat.evolution.EvolutionSettings;
 import mmneat.evolution.EvolutionState;
+import mmneat.evolution.Generation;
 import mmneat.evolution.SchafferTask;
 import mmneat.evolution.SequentialEvaluator;
 import mmneat.evolution.Task;
@@ -106,7 +108,21 @@ class RunFilesTest {
         RunFiles files = new RunFiles(folder, task, choice);
         EvolutionState initial = EvolutionState.initial(settings);
         files.begin(initial);
-        new Evolution(settings, initial, new SequentialEvaluator(task), files).run();
+        EvolutionObserver observer = new EvolutionObserver() {
+            @Override
+            public void generationCompleted(Generation generation, EvolutionState next) {
+                files.generationCompleted(generation, next);
+                if (next.generation() == GENERATIONS) {
+                    files.writeNewestNetworks(next);
+                }
+            }
+
+            @Override
+            public void completed(Generation finalParents) {
+                files.completed(finalParents);
+            }
+        };
+        new Evolution(settings, initial, new SequentialEvaluator(task), observer).run();
         folder.flush();
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SortedMap;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.EvolutionObserver;
@@ -12,7 +13,6 @@ import mmneat.evolution.Generation;
 import mmneat.evolution.Individual;
 import mmneat.evolution.Task;
 import mmneat.experiment.RunFolder;
-import mmneat.neat.Archetype;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeXml;
 
@@ -20,11 +20,14 @@ import mmneat.neat.io.GenotypeXml;
  * Writes what the original writes into a run's folder: score files, logs, gnuplot scripts, champions, networks and archetype.
  *
  * <p>All files of a generation are written when it is over. A generation that was interrupted is evolved again, and its files
- * come out the same.
+ * come out the same. The networks are the exception if only the newest are wanted: they follow from the checkpoint, they are many,
+ * and most would be deleted at once; {@link #writeNewestNetworks} writes them.
  *
  * <p>Source: spec/evolution.md, section 5.
  */
 public final class RunFiles implements EvolutionObserver {
+
+    private static final Pattern NETWORKS_FOLDER = Pattern.compile("initial|gen\\d+");
 
     private final RunFolder folder;
     private final Task task;
@@ -69,8 +72,23 @@ public final class RunFiles implements EvolutionObserver {
                 folder.write(ModuleCountLog.plotFile(prefix), ModuleCountLog.plotScript(prefix));
             }
         }
-        if (choice.networks) {
-            writeNetworks(initial);
+        writeNewestNetworks(initial);
+    }
+
+    /**
+     * Writes the networks of the next parents and the archetype; earlier ones are deleted if only the newest are wanted. To be
+     * called after the last generation, and whenever it is worth while before.
+     */
+    public void writeNewestNetworks(EvolutionState next) {
+        if (!choice.networks) {
+            return;
+        }
+        writeNetworks(next);
+        if (choice.keepsNewestNetworksOnly) {
+            String newest = networksFolder(next.generation());
+            folder.folders().stream()
+                    .filter(name -> NETWORKS_FOLDER.matcher(name).matches() && !name.equals(newest))
+                    .forEach(folder::deleteFolder);
         }
     }
 
@@ -88,9 +106,9 @@ public final class RunFiles implements EvolutionObserver {
         if (choice.networks) {
             writeChampion(generation.champion(task));
             writeBestInObjectives(generation.children());
-            writeNetworks(next);
-            if (choice.keepsNewestNetworksOnly) {
-                folder.deleteFolder(networksFolder(generation.number()));
+            writeShadows(next);
+            if (!choice.keepsNewestNetworksOnly) {
+                writeNetworks(next);
             }
         }
     }
@@ -169,12 +187,24 @@ public final class RunFiles implements EvolutionObserver {
         String name = networksFolder(state.generation());
         int index = 0;
         for (Genotype genotype : state.population()) {
-            folder.write(name + "/" + folder.prefix() + name + "_" + index++ + ".xml", GenotypeXml.write(genotype));
+            String file = name + "/" + folder.prefix() + name + "_" + index++ + ".xml";
+            if (choice.keepsNewestNetworksOnly) {
+                folder.writeRemakeable(file, GenotypeXml.write(genotype));
+            } else {
+                // Those of earlier generations are in no checkpoint.
+                folder.write(file, GenotypeXml.write(genotype));
+            }
         }
-        Archetype.State archetype = state.pool().archetype();
-        folder.write("archetype0.xml", GenotypeXml.writeArchetype(archetype.entries()));
-        if (!archetype.shadows().isEmpty()) {
-            folder.write("combiningCrossoverMapping.txt", shadowLines(archetype.shadows()));
+        folder.writeRemakeable(
+                "archetype0.xml",
+                GenotypeXml.writeArchetype(state.pool().archetype().entries()));
+    }
+
+    /** The file stays as it is when no shadow entries are left. */
+    private void writeShadows(EvolutionState state) {
+        SortedMap<Long, Long> shadows = state.pool().archetype().shadows();
+        if (!shadows.isEmpty()) {
+            folder.write("combiningCrossoverMapping.txt", shadowLines(shadows));
         }
     }
 
