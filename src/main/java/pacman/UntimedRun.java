@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import mmneat.random.ResumableRandom;
 import pacman.controllers.Controller;
+import pacman.controllers.DirectGhosts;
 import pacman.controllers.ReadOnlyController;
 import pacman.controllers.examples.AggressiveGhosts;
 import pacman.controllers.examples.BetterLegacy;
@@ -66,6 +67,9 @@ final class UntimedRun {
     private final Controller<EnumMap<GHOST, MOVE>> ghosts;
     private final ReadOnlyController<MOVE> readOnlyPacMan;
     private final ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
+    /** The team among {@link #READ_ONLY} that needs no map either; null if it is another. */
+    private final DirectGhosts directGhosts;
+
     private final DueTime dueTime;
     private final ResumableRandom scratch = new ResumableRandom(0);
 
@@ -75,6 +79,7 @@ final class UntimedRun {
         this.dueTime = dueTime;
         readOnlyPacMan = readOnly(pacMan);
         readOnlyGhosts = readOnly(ghosts);
+        directGhosts = readOnlyGhosts instanceof DirectGhosts direct ? direct : null;
     }
 
     @SuppressWarnings("unchecked") // Each class of the set answers getMove and decide with the same type.
@@ -105,8 +110,11 @@ final class UntimedRun {
     void tick(Game game) {
         long due = due(DueTime.ONCE_PER_TICK);
         MOVE move = answer(pacMan, readOnlyPacMan, game, due);
-        EnumMap<GHOST, MOVE> moves = answer(ghosts, readOnlyGhosts, game, due);
-        game.advanceGame(move, moves);
+        if (directGhosts == null) {
+            game.advanceGame(move, answer(ghosts, readOnlyGhosts, game, due));
+        } else {
+            game.advanceGame(move, directAnswer(game));
+        }
     }
 
     private <T> T answer(Controller<T> controller, ReadOnlyController<T> readOnly, Game game, long due) {
@@ -119,6 +127,16 @@ final class UntimedRun {
                     game.copy(), dueTime == DueTime.PER_CONTROLLER ? due(DueTime.PER_CONTROLLER) : due);
         } catch (Throwable failure) {
             failure.addSuppressed(new ControllerFailure(controller, game.getTotalTime()));
+            throw failure;
+        }
+    }
+
+    private int directAnswer(Game game) {
+        try {
+            scratch.continueAs(game.rnd);
+            return directGhosts.decideMoves(game, scratch);
+        } catch (Throwable failure) {
+            failure.addSuppressed(new ControllerFailure(ghosts, game.getTotalTime()));
             throw failure;
         }
     }

@@ -63,7 +63,7 @@ public class EngineBenchmark {
             scratch.continueAs(game.rnd);
             MOVE move = pacMan.decide(game, scratch);
             scratch.continueAs(game.rnd);
-            game.advanceGame(move, legacy.decide(game, scratch));
+            game.advanceGame(move, legacy.decideMoves(game, scratch));
         }
         return game.getScore();
     }

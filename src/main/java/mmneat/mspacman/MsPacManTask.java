@@ -12,6 +12,7 @@ import mmneat.mspacman.sensors.Senses;
 import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
+import pacman.controllers.DirectGhosts;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.ReadOnlyController;
 import pacman.game.Constants.GHOST;
@@ -35,6 +36,8 @@ public final class MsPacManTask implements Task {
     private final List<RecordedScore> others;
     private final NewGhostController ghosts;
     private final ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
+    /** The ghosts, if they only read and need no map; else null. */
+    private final DirectGhosts directGhosts;
 
     /** Stands where the game's generator stands when ghosts that only read draw from it. */
     private final ResumableRandom scratch = new ResumableRandom(0);
@@ -48,6 +51,7 @@ public final class MsPacManTask implements Task {
         others = RecordedScore.ofTheOriginal(settings.rules());
         ghosts = settings.ghosts().get();
         readOnlyGhosts = readOnly(ghosts);
+        directGhosts = readOnlyGhosts instanceof DirectGhosts direct ? direct : null;
     }
 
     /** The team as one that only reads, if it is one of ours; a subclass may do more than read. */
@@ -162,7 +166,7 @@ public final class MsPacManTask implements Task {
             int maze = game.getMazeIndex();
             int direction = player.decide(game, random);
             askedForEnd = direction == DirectionEvaluator.END_GAME;
-            game.advanceGame(askedForEnd ? null : MOVES[direction], ghostMoves(game));
+            advance(game, askedForEnd ? null : MOVES[direction]);
             if (observer != null) {
                 observer.stepPlayed(game, player);
                 if (game.getCurrentLevel() > level) {
@@ -177,12 +181,15 @@ public final class MsPacManTask implements Task {
         return end;
     }
 
-    private EnumMap<GHOST, MOVE> ghostMoves(Game game) {
-        if (readOnlyGhosts == null) {
-            return ghosts.getMove(game.copy(), -1);
-        }
+    private void advance(Game game, MOVE move) {
         scratch.continueAs(game.rnd);
-        return readOnlyGhosts.decide(game, scratch);
+        if (directGhosts != null) {
+            game.advanceGame(move, directGhosts.decideMoves(game, scratch));
+        } else if (readOnlyGhosts != null) {
+            game.advanceGame(move, readOnlyGhosts.decide(game, scratch));
+        } else {
+            game.advanceGame(move, ghosts.getMove(game.copy(), -1));
+        }
     }
 
     private static GameEnd end(Game game, boolean askedForEnd) {

@@ -10,6 +10,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
 import pacman.game.GameStep.Reversal;
 import pacman.game.internal.Maze;
+import pacman.game.internal.MazePoses;
 import pacman.game.internal.MazeTables;
 import pacman.game.internal.NodeMoves;
 import pacman.game.internal.PathsCache;
@@ -31,8 +32,6 @@ public final class Game {
 
     private static final MOVE[] MOVES = MOVE.values();
     private static final GHOST[] GHOSTS = GHOST.values();
-    private static final int NO_MOVES =
-            packed(GameState.NO_MOVE, GameState.NO_MOVE, GameState.NO_MOVE, GameState.NO_MOVE);
     /** Completed calls after which a null move of Ms. Pac-Man ends the game. */
     private static final int CALLS_BEFORE_NULL_COUNTS = 10;
 
@@ -134,15 +133,16 @@ public final class Game {
     }
 
     /**
-     * Plays one step like {@link #advanceGame(MOVE, EnumMap)}, without a map: null or NEUTRAL is no request.
+     * Plays one step like {@link #advanceGame(MOVE, EnumMap)}, without a map.
+     *
+     * @param ghostMoves directions asked for, packed as {@link GhostMoves} says
      */
-    public void advanceGame(MOVE pacManMove, MOVE blinky, MOVE pinky, MOVE inky, MOVE sue) {
+    public void advanceGame(MOVE pacManMove, int ghostMoves) {
         if (endsByNull(pacManMove)) {
             return;
         }
         updatePacMan(pacManMove);
-        int requests = packed(request(blinky), request(pinky), request(inky), request(sue));
-        GameStep.updateGhosts(state, requests, Reversal.NORMAL);
+        GameStep.updateGhosts(state, ghostMoves, Reversal.NORMAL);
         updateGame();
         state.calls++;
     }
@@ -184,7 +184,7 @@ public final class Game {
 
     /** Ms. Pac-Man's part of a step: she moves and eats what lies there. */
     public void updatePacMan(MOVE pacManMove) {
-        GameStep.updatePacMan(state, request(pacManMove));
+        GameStep.updatePacMan(state, GhostMoves.request(pacManMove));
     }
 
     /** The ghosts' part of a step. */
@@ -202,7 +202,7 @@ public final class Game {
 
     private void updateGhosts(EnumMap<GHOST, MOVE> moves, Reversal reversal) {
         if (moves == null) {
-            GameStep.updateGhosts(state, NO_MOVES, reversal);
+            GameStep.updateGhosts(state, GhostMoves.NONE, reversal);
             return;
         }
         MOVE blinky = moves.get(GHOST.BLINKY);
@@ -210,33 +210,23 @@ public final class Game {
         MOVE inky = moves.get(GHOST.INKY);
         MOVE sue = moves.get(GHOST.SUE);
         boolean isComplete = moves.size() == GHOSTS.length;
-        int made = GameStep.updateGhosts(
-                state, packed(request(blinky), request(pinky), request(inky), request(sue)), reversal);
-        report(moves, GHOST.BLINKY, blinky, made, isComplete);
-        report(moves, GHOST.PINKY, pinky, made, isComplete);
-        report(moves, GHOST.INKY, inky, made, isComplete);
-        report(moves, GHOST.SUE, sue, made, isComplete);
+        int moved = GameStep.updateGhosts(state, GhostMoves.packed(blinky, pinky, inky, sue), reversal);
+        report(moves, GHOST.BLINKY, blinky, moved, isComplete);
+        report(moves, GHOST.PINKY, pinky, moved, isComplete);
+        report(moves, GHOST.INKY, inky, moved, isComplete);
+        report(moves, GHOST.SUE, sue, moved, isComplete);
     }
 
     /** Writes the move that a ghost made into the caller's map, or NEUTRAL where the caller said nothing about it. */
-    private static void report(
-            EnumMap<GHOST, MOVE> moves, GHOST ghost, MOVE requested, int allMade, boolean isComplete) {
-        int made = allMade >>> GameStep.MOVE_BITS * ghost.ordinal() & GameStep.MOVE_MASK;
-        if (made != GameStep.NOT_MOVED) {
-            if (MOVES[made] != requested) {
-                moves.put(ghost, MOVES[made]);
+    private void report(EnumMap<GHOST, MOVE> moves, GHOST ghost, MOVE requested, int moved, boolean isComplete) {
+        if ((moved >>> ghost.ordinal() & 1) != 0) {
+            MOVE made = getGhostLastMoveMade(ghost);
+            if (made != requested) {
+                moves.put(ghost, made);
             }
         } else if (requested == null && !isComplete && !moves.containsKey(ghost)) {
             moves.put(ghost, MOVE.NEUTRAL);
         }
-    }
-
-    private static int request(MOVE move) {
-        return move == null ? GameState.NO_MOVE : move.ordinal();
-    }
-
-    private static int packed(int blinky, int pinky, int inky, int sue) {
-        return blinky | pinky << GameStep.MOVE_BITS | inky << 2 * GameStep.MOVE_BITS | sue << 3 * GameStep.MOVE_BITS;
     }
 
     /** What follows the moves of a step: who meets whom, lair times, clocks, the end of level and game. */
@@ -339,12 +329,12 @@ public final class Game {
     // ---- Ms. Pac-Man
 
     public int getPacmanCurrentNodeIndex() {
-        return state.pacManNode;
+        return state.pacManNode();
     }
 
     /** Her last move; NEUTRAL if she stands, LEFT at the start of a level. */
     public MOVE getPacmanLastMoveMade() {
-        return MOVES[state.pacManMove];
+        return MOVES[pacManLastMove()];
     }
 
     /** Lives, the current one included. */
@@ -356,12 +346,12 @@ public final class Game {
 
     /** Node of a ghost; the lair node while it is in the lair. */
     public int getGhostCurrentNodeIndex(GHOST ghost) {
-        return state.ghosts[GameState.NODE + ghost.ordinal()];
+        return state.ghostNode(ghost.ordinal());
     }
 
     /** Last move of a ghost; NEUTRAL until it moves after the lair. */
     public MOVE getGhostLastMoveMade(GHOST ghost) {
-        return MOVES[state.ghosts[GameState.MOVE + ghost.ordinal()]];
+        return MOVES[state.ghostMove(ghost.ordinal())];
     }
 
     /** Steps for which a ghost stays edible; 0 if it is not. */
@@ -380,12 +370,18 @@ public final class Game {
 
     /** Whether a ghost may choose: at a junction or just out of the lair, and moving in the next step. */
     public boolean doesGhostRequireAction(GHOST ghost) {
-        int index = ghost.ordinal();
-        int node = state.ghosts[GameState.NODE + index];
-        int edibleTime = state.ghosts[GameState.EDIBLE + index];
-        boolean mayChoose = state.graph.isJunction(node)
-                || state.ghosts[GameState.MOVE + index] == GameState.NO_MOVE && node == state.graph.ghostStart();
-        return mayChoose && (edibleTime == 0 || (edibleTime & 1) != 0);
+        return state.requiresAction(ghost.ordinal());
+    }
+
+    /** Bit set of the ghosts of which {@link #doesGhostRequireAction} is true, BLINKY's bit the lowest. */
+    public int ghostsRequiringAction() {
+        int ghosts = 0;
+        for (int ghost = 0; ghost < GHOSTS.length; ghost++) {
+            if (state.requiresAction(ghost)) {
+                ghosts |= 1 << ghost;
+            }
+        }
+        return ghosts;
     }
 
     /** Neither edible nor in the lair. */
@@ -399,7 +395,7 @@ public final class Game {
         int count = 0;
         for (int ghost = 0; ghost < GHOSTS.length; ghost++) {
             if (state.isThreat(ghost)) {
-                nodes[count++] = state.ghosts[GameState.NODE + ghost];
+                nodes[count++] = state.ghostNode(ghost);
             }
         }
         return Arrays.copyOf(nodes, count);
@@ -503,6 +499,23 @@ public final class Game {
     /** The maze as entries see it; shared, do not modify. */
     public Maze getCurrentMaze() {
         return state.tables.maze();
+    }
+
+    /**
+     * Number of the maze that everybody is in. After the last level {@link #getMazeIndex} is that of the next maze already,
+     * in which the nodes of Ms. Pac-Man and the ghosts mean nothing.
+     */
+    int shownMazeIndex() {
+        int levelsBeyond = state.level - (state.rules.maximumLevel() - 1);
+        return levelsBeyond <= 0 || state.rules.onlyMaze() >= 0
+                ? state.mazeIndex
+                : Math.floorMod(
+                        state.mazeIndex - levelsBeyond, state.rules.mazes().count());
+    }
+
+    /** The maze of {@link #shownMazeIndex}. */
+    Maze shownMaze() {
+        return state.rules.mazes().get(shownMazeIndex()).maze();
     }
 
     /** The maze as the engine sees it: graph, distances and paths on primitive arrays. */
@@ -618,7 +631,7 @@ public final class Game {
         if (lastMoveMade == null && state.graph.degree(node) == 2) {
             throw new NullPointerException("a path that must not turn back needs the last move made");
         }
-        return request(lastMoveMade);
+        return GhostMoves.request(lastMoveMade);
     }
 
     /**
@@ -726,7 +739,7 @@ public final class Game {
 
     /** Node of a ghost by index 0 to 3. */
     public int ghostNode(int ghost) {
-        return state.ghosts[GameState.NODE + ghost];
+        return state.ghostNode(ghost);
     }
 
     /** Edible time of a ghost by index. */
@@ -741,12 +754,12 @@ public final class Game {
 
     /** Last move of a ghost by index: 0 up, 1 right, 2 down, 3 left, 4 none. */
     public int ghostLastMove(int ghost) {
-        return state.ghosts[GameState.MOVE + ghost];
+        return state.ghostMove(ghost);
     }
 
     /** Ms. Pac-Man's last move: 0 up, 1 right, 2 down, 3 left, 4 none. */
     public int pacManLastMove() {
-        return state.pacManMove;
+        return MazePoses.move(state.pacManPose);
     }
 
     /** One word of the bit set of pills present, by pill number. */

@@ -8,6 +8,7 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Constants.GHOST;
 import pacman.game.GameRules.Conventions;
 import pacman.game.internal.MazeGraph;
+import pacman.game.internal.MazePoses;
 import pacman.game.internal.MazeTables;
 
 /**
@@ -24,12 +25,13 @@ final class GameState {
     /*
      * All ghosts are one array, so that a copy is one copy: entry kind + ghost, where kind is one of these.
      */
-    static final int NODE = 0;
+    /** Node and last move, as {@link MazePoses} numbers them. */
+    static final int POSE = 0;
+
     static final int EDIBLE = 4;
     static final int LAIR = 8;
-    static final int MOVE = 12;
     /** Times a ghost was eaten in this game. */
-    static final int EATEN = 16;
+    static final int EATEN = 12;
 
     /** Switches, as bits of {@link #switches}. */
     static final int EXIT_LAIR_EDIBLE = 1;
@@ -70,6 +72,7 @@ final class GameState {
 
     MazeTables tables;
     MazeGraph graph;
+    MazePoses poses;
     int mazeIndex;
     /** Level from 0. */
     int level;
@@ -90,12 +93,13 @@ final class GameState {
 
     int switches;
 
-    int pacManNode;
-    int pacManMove;
+    /** Her node and last move, as {@link MazePoses} numbers them. */
+    int pacManPose;
+
     int lives;
     boolean extraLifeReceived;
 
-    /** Nodes, edible times, lair times, last moves and times eaten of the ghosts. */
+    /** Poses, edible times, lair times and times eaten of the ghosts. */
     final int[] ghosts;
 
     /**
@@ -136,7 +140,7 @@ final class GameState {
         this.shared = shared;
         random = new ResumableRandom(seed);
         history = new GameHistory();
-        ghosts = new int[5 * GHOSTS];
+        ghosts = new int[4 * GHOSTS];
         start(initialMaze);
     }
 
@@ -148,6 +152,7 @@ final class GameState {
         history = null;
         tables = other.tables;
         graph = other.graph;
+        poses = other.poses;
         mazeIndex = other.mazeIndex;
         level = other.level;
         timesLevel = other.timesLevel;
@@ -157,8 +162,7 @@ final class GameState {
         ghostMultiplier = other.ghostMultiplier;
         timeOfLastReversal = other.timeOfLastReversal;
         gameOver = other.gameOver;
-        pacManNode = other.pacManNode;
-        pacManMove = other.pacManMove;
+        pacManPose = other.pacManPose;
         lives = other.lives;
         extraLifeReceived = other.extraLifeReceived;
         ghosts = other.ghosts.clone();
@@ -295,6 +299,7 @@ final class GameState {
     void enterMaze() {
         tables = rules.mazes().get(mazeIndex);
         graph = tables.graph();
+        poses = tables.poses();
     }
 
     void fillPills() {
@@ -309,9 +314,7 @@ final class GameState {
             return;
         }
         Arrays.fill(pills, -1L);
-        if ((count & 63) != 0) {
-            pills[words - 1] = (1L << count) - 1;
-        }
+        pills[words - 1] = (1L << count) - 1;
         pillsLeft = count;
         if (rules.preEatenPillPortion() > 0) {
             removePreEaten(count);
@@ -358,14 +361,13 @@ final class GameState {
         ghostMultiplier = 1;
         apart = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            ghosts[NODE + ghost] = graph.lair();
+            ghosts[POSE + ghost] = MazePoses.of(graph.lair(), NO_MOVE);
             ghosts[EDIBLE + ghost] = 0;
             ghosts[LAIR + ghost] = scaledTime(GHOST_TYPES[ghost].initialLairTime);
-            ghosts[MOVE + ghost] = NO_MOVE;
         }
         int powerPill = rules.startingPowerPill();
-        pacManNode = powerPill < 0 ? graph.pacManStart() : graph.powerPillNode(powerPill);
-        pacManMove = Constants.MOVE.LEFT.ordinal();
+        int start = powerPill < 0 ? graph.pacManStart() : graph.powerPillNode(powerPill);
+        pacManPose = MazePoses.of(start, Constants.MOVE.LEFT.ordinal());
     }
 
     /**
@@ -423,6 +425,18 @@ final class GameState {
         return (ghosts[LAIR] | ghosts[LAIR + 1] | ghosts[LAIR + 2] | ghosts[LAIR + 3]) != 0;
     }
 
+    /** Outside the lair, and not in a step in which edible ghosts rest. */
+    boolean mayMove(int ghost) {
+        int edible = ghosts[EDIBLE + ghost];
+        return ghosts[LAIR + ghost] == 0 && (edible == 0 || (edible & 1) != 0);
+    }
+
+    /** At a junction or just out of the lair, and not in a step in which edible ghosts rest. */
+    boolean requiresAction(int ghost) {
+        int edible = ghosts[EDIBLE + ghost];
+        return poses.isChoice(ghosts[POSE + ghost]) && (edible == 0 || (edible & 1) != 0);
+    }
+
     int edibleGhosts() {
         int count = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
@@ -431,9 +445,21 @@ final class GameState {
         return count;
     }
 
+    int pacManNode() {
+        return MazePoses.node(pacManPose);
+    }
+
+    int ghostNode(int ghost) {
+        return MazePoses.node(ghosts[POSE + ghost]);
+    }
+
+    int ghostMove(int ghost) {
+        return MazePoses.move(ghosts[POSE + ghost]);
+    }
+
     /** Not edible and not in the lair. */
     boolean isThreat(int ghost) {
-        return ghosts[EDIBLE + ghost] == 0 && graph.degree(ghosts[NODE + ghost]) > 0;
+        return ghosts[EDIBLE + ghost] == 0 && graph.degree(ghostNode(ghost)) > 0;
     }
 
     /** The generator of what the original draws outside the game. */

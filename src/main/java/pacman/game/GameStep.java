@@ -3,12 +3,11 @@ package pacman.game;
 import static pacman.game.GameState.EDIBLE;
 import static pacman.game.GameState.GHOSTS;
 import static pacman.game.GameState.LAIR;
-import static pacman.game.GameState.MOVE;
-import static pacman.game.GameState.NODE;
 import static pacman.game.GameState.NO_MOVE;
+import static pacman.game.GameState.POSE;
 
 import pacman.game.GameRules.Conventions;
-import pacman.game.internal.MazeGraph;
+import pacman.game.internal.MazePoses;
 
 /**
  * The rules of one game step, in the order in which {@link Game#advanceGame} applies them. Nothing here allocates, except when
@@ -28,12 +27,8 @@ final class GameStep {
         FORCED
     }
 
-    /** Bits per ghost in a packed set of moves; {@link #NOT_MOVED} says that a ghost made none. */
-    static final int MOVE_BITS = 3;
-
-    static final int MOVE_MASK = 7;
-    static final int NOT_MOVED = 7;
-    private static final int NONE_MOVED = -1;
+    private static final int ALL_GHOSTS = (1 << GHOSTS) - 1;
+    private static final int NO_GHOST = 0;
 
     /** Path distance beyond which a threat does not count as lured. */
     private static final int LURE_DISTANCE = 200;
@@ -43,24 +38,20 @@ final class GameStep {
     /** Steps 1 to 4: Ms. Pac-Man moves and eats what lies there. */
     static void updatePacMan(GameState state, int request) {
         state.apart--;
-        int node = state.pacManNode;
-        int last = state.pacManMove;
-        int asked = state.graph.neighbour(node, request);
-        int straight = state.graph.neighbour(node, last);
-        // Simple choices instead of branches: what she is asked for is often hard to predict.
-        int move = straight >= 0 ? last : NO_MOVE;
-        int next = straight >= 0 ? straight : node;
-        state.pacManMove = asked >= 0 ? request : move;
-        state.pacManNode = asked >= 0 ? asked : next;
+        int pose = state.pacManPose;
+        int stay = MazePoses.turned(pose, NO_MOVE);
+        int straight = state.poses.onward(pose);
+        int asked = state.poses.onward(MazePoses.turned(pose, request));
+        pose = either(asked, either(straight, stay));
+        state.pacManPose = pose;
         state.pillEaten = false;
         state.powerPillEaten = false;
-        int pill = state.graph.pillNumber(state.pacManNode);
-        if (pill >= 0) {
-            if (state.hasPill(pill)) {
-                eatPill(state, pill);
-            }
+        int node = MazePoses.node(pose);
+        int pill = state.graph.pillPosition(node);
+        if (state.hasPill(pill)) {
+            eatPill(state, pill);
         } else {
-            int powerPill = state.graph.powerPillNumber(state.pacManNode);
+            int powerPill = state.graph.powerPillNumber(node);
             if (powerPill >= 0 && (state.powerPills >>> powerPill & 1) != 0) {
                 eatPowerPill(state, powerPill);
             }
@@ -68,6 +59,12 @@ final class GameStep {
         if (!state.pillEaten && !state.powerPillEaten) {
             state.timeInDeadSpace++;
         }
+    }
+
+    /** The first of two poses, or the second if there is no first: a choice without a branch. */
+    private static int either(int first, int second) {
+        int missing = first >> 31;
+        return first & ~missing | second & missing;
     }
 
     private static void eatPill(GameState state, int pill) {
@@ -135,20 +132,15 @@ final class GameStep {
     /**
      * Steps 6 and 7: ghosts reverse, or move.
      *
-     * @param requests moves asked for, {@value #MOVE_BITS} bits per ghost
-     * @return moves made in step 7, packed likewise, {@value #NOT_MOVED} for a ghost that made none
+     * @param requests moves asked for, as {@link GhostMoves}
+     * @return bit set of the ghosts that moved in step 7
      */
     static int updateGhosts(GameState state, int requests, Reversal reversal) {
         state.apart--;
-        switch (reversal) {
-            case NEVER:
-                return moveGhosts(state, requests);
-            case FORCED:
-                reverse(state, true);
-                return NONE_MOVED;
-            default:
-                return reverse(state, false) ? NONE_MOVED : moveGhosts(state, requests);
+        if (reversal != Reversal.NEVER && reverse(state, reversal == Reversal.FORCED) || reversal == Reversal.FORCED) {
+            return NO_GHOST;
         }
+        return moveGhosts(state, requests);
     }
 
     private static boolean reverse(GameState state, boolean forced) {
@@ -159,10 +151,10 @@ final class GameStep {
         boolean reversed = false;
         int[] ghosts = state.ghosts;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            if (ghosts[LAIR + ghost] == 0 && ghosts[MOVE + ghost] != NO_MOVE) {
-                int back = ghosts[MOVE + ghost] ^ 2;
-                ghosts[MOVE + ghost] = back;
-                ghosts[NODE + ghost] = state.graph.neighbour(ghosts[NODE + ghost], back);
+            int pose = ghosts[POSE + ghost];
+            int move = MazePoses.move(pose);
+            if (ghosts[LAIR + ghost] == 0 && move != NO_MOVE) {
+                ghosts[POSE + ghost] = state.poses.onward(MazePoses.turned(pose, move ^ 2));
                 reversed = true;
             }
         }
@@ -172,37 +164,48 @@ final class GameStep {
         return reversed;
     }
 
+    /*
+     * Most ghosts in most steps are in a corridor and asked for nothing. These go first, in a loop without calls that the
+     * compiler unrolls; they draw nothing, so that the draws of the others keep their order.
+     */
     private static int moveGhosts(GameState state, int requests) {
-        int made = 0;
+        int[] ghosts = state.ghosts;
+        int others = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            int move = NOT_MOVED;
-            int edible = state.ghosts[EDIBLE + ghost];
-            if (state.ghosts[LAIR + ghost] == 0 && (edible == 0 || (edible & 1) != 0)) {
-                move = moveGhost(state, ghost, requests >>> MOVE_BITS * ghost & MOVE_MASK);
+            int next = state.poses.onward(ghosts[POSE + ghost]);
+            boolean isFree = (ghosts[LAIR + ghost] | ghosts[EDIBLE + ghost]) == 0;
+            if (isFree && next >= 0 && GhostMoves.of(requests, ghost) == NO_MOVE) {
+                ghosts[POSE + ghost] = next;
+            } else {
+                others |= 1 << ghost;
             }
-            made |= move << MOVE_BITS * ghost;
         }
-        return made;
+        int moved = ALL_GHOSTS;
+        for (int left = others; left != 0; left &= left - 1) {
+            int ghost = Integer.numberOfTrailingZeros(left);
+            if (state.mayMove(ghost)) {
+                ghosts[POSE + ghost] = moveGhost(state, ghosts[POSE + ghost], GhostMoves.of(requests, ghost));
+            } else {
+                moved &= ~(1 << ghost);
+            }
+        }
+        return moved;
     }
 
-    private static int moveGhost(GameState state, int ghost, int request) {
-        MazeGraph graph = state.graph;
-        int node = state.ghosts[NODE + ghost];
-        int last = state.ghosts[MOVE + ghost];
+    /** As asked if that is possible without turning back, else straight on, else at random. */
+    private static int moveGhost(GameState state, int pose, int request) {
+        int last = MazePoses.move(pose);
         int back = last == NO_MOVE ? NO_MOVE : last ^ 2;
-        int move = request == back ? NO_MOVE : request;
-        int next = graph.neighbour(node, move);
-        if (next < 0) {
-            move = last;
-            next = graph.neighbour(node, last);
-            if (next < 0) {
-                move = drawMove(state, graph.openDirections(node) & ~(1 << back));
-                next = graph.neighbour(node, move);
-            }
+        int asked = request == back ? -1 : state.poses.onward(MazePoses.turned(pose, request));
+        if (asked >= 0) {
+            return asked;
         }
-        state.ghosts[MOVE + ghost] = move;
-        state.ghosts[NODE + ghost] = next;
-        return move;
+        int straight = state.poses.onward(pose);
+        if (straight >= 0) {
+            return straight;
+        }
+        int open = state.graph.openDirections(MazePoses.node(pose)) & ~(1 << back);
+        return state.poses.onward(MazePoses.turned(pose, drawMove(state, open)));
     }
 
     /** One of several directions at random. The draw is made even if there is only one. */
@@ -230,7 +233,10 @@ final class GameStep {
     private static boolean meetGhosts(GameState state) {
         int nearest = Integer.MAX_VALUE;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            int distance = distanceToGhost(state, ghost);
+            int distance = leastDistanceToGhost(state, ghost);
+            if (distance <= Constants.EAT_DISTANCE) {
+                distance = distanceToGhost(state, ghost);
+            }
             if (distance < 0) {
                 continue;
             }
@@ -256,7 +262,12 @@ final class GameStep {
     }
 
     private static int distanceToGhost(GameState state, int ghost) {
-        return state.tables.distances().between(state.ghosts[NODE + ghost], state.pacManNode);
+        return state.tables.distances().between(state.ghostNode(ghost), state.pacManNode());
+    }
+
+    /** Looks at positions alone, since the large table of distances is seldom in the cache. */
+    private static int leastDistanceToGhost(GameState state, int ghost) {
+        return state.graph.leastDistance(state.ghostNode(ghost), state.pacManNode());
     }
 
     private static void eatGhost(GameState state, int ghost) {
@@ -269,8 +280,7 @@ final class GameStep {
         state.ghostMultiplier *= 2;
         ghosts[EDIBLE + ghost] = 0;
         ghosts[LAIR + ghost] = state.scaledTime(state.rules.lairTime());
-        ghosts[NODE + ghost] = state.graph.lair();
-        ghosts[MOVE + ghost] = NO_MOVE;
+        ghosts[POSE + ghost] = MazePoses.of(state.graph.lair(), NO_MOVE);
         state.ghostsEaten |= 1 << ghost;
         if (state.history != null) {
             state.history.ghostEatTimes.add(state.totalTime);
@@ -308,11 +318,29 @@ final class GameStep {
         }
     }
 
-    /** Step 9: ghosts leave the lair. */
+    /** Step 9: lair times run, and ghosts leave the lair. */
     static void updateLairTimes(GameState state) {
         if (!state.isAnyInLair()) {
             return;
         }
+        if (state.levelTime == 0 || isAnyLairTimeOver(state)) {
+            leaveLair(state);
+            return;
+        }
+        for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            if (state.ghosts[LAIR + ghost] > 0 && ghost < state.rules.activeGhosts()) {
+                state.ghosts[LAIR + ghost]--;
+            }
+        }
+    }
+
+    private static boolean isAnyLairTimeOver(GameState state) {
+        int[] ghosts = state.ghosts;
+        return ghosts[LAIR] == 1 || ghosts[LAIR + 1] == 1 || ghosts[LAIR + 2] == 1 || ghosts[LAIR + 3] == 1;
+    }
+
+    /** A step in which somebody may leave the lair. */
+    private static void leaveLair(GameState state) {
         int[] ghosts = state.ghosts;
         boolean exit = false;
         for (int ghost = 0; ghost < state.rules.activeGhosts(); ghost++) {
@@ -340,7 +368,7 @@ final class GameStep {
     private static void leaveLairTogether(GameState state) {
         for (int ghost = 0; ghost < state.rules.activeGhosts(); ghost++) {
             state.ghosts[LAIR + ghost] = 0;
-            if (state.ghosts[NODE + ghost] == state.graph.lair()) {
+            if (state.ghostNode(ghost) == state.graph.lair()) {
                 leaveLair(state, state.ghosts, ghost);
             }
         }
@@ -359,7 +387,7 @@ final class GameStep {
             int[] old = ghosts.clone();
             return state.newLevel() ? old : ghosts;
         }
-        ghosts[NODE + ghost] = exitNode(state, ghost);
+        ghosts[POSE + ghost] = MazePoses.of(exitNode(state, ghost), MazePoses.move(ghosts[POSE + ghost]));
         state.apart = 0;
         if (state.has(GameState.EXIT_LAIR_EDIBLE)) {
             ghosts[EDIBLE + ghost] = state.newEdibleTime();

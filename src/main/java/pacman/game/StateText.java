@@ -3,12 +3,13 @@ package pacman.game;
 import static pacman.game.GameState.EDIBLE;
 import static pacman.game.GameState.GHOSTS;
 import static pacman.game.GameState.LAIR;
-import static pacman.game.GameState.NODE;
+import static pacman.game.GameState.POSE;
 
 import java.util.Arrays;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
+import pacman.game.internal.MazePoses;
 
 /**
  * The state string: fields joined by commas. The competition's has {@value #SHORT} fields; MM-NEAT's {@value #LONG} add
@@ -41,14 +42,14 @@ final class StateText {
         if (isLong) {
             append(text, state.timesLevel);
         }
-        append(text, state.pacManNode, MOVES[state.pacManMove], state.lives, state.extraLifeReceived);
+        append(text, state.pacManNode(), MOVES[MazePoses.move(state.pacManPose)], state.lives, state.extraLifeReceived);
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             append(
                     text,
-                    state.ghosts[NODE + ghost],
+                    state.ghostNode(ghost),
                     state.ghosts[EDIBLE + ghost],
                     state.ghosts[LAIR + ghost],
-                    MOVES[state.ghosts[GameState.MOVE + ghost]]);
+                    MOVES[state.ghostMove(ghost)]);
         }
         // The maze of the pills, which after the last level is not the one that the index names.
         for (int pill = 0; pill < state.graph.pillCount(); pill++) {
@@ -124,15 +125,14 @@ final class StateText {
         state.levelTime = nextInt();
         state.level = nextInt();
         state.timesLevel = isLong ? nextInt() : state.level;
-        state.pacManNode = nextInt();
-        state.pacManMove = nextMove();
+        state.pacManPose = MazePoses.of(nextInt(), nextMove());
         state.lives = nextInt();
         state.extraLifeReceived = nextBoolean();
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            state.ghosts[NODE + ghost] = nextInt();
+            int node = nextInt();
             state.ghosts[EDIBLE + ghost] = nextInt();
             state.ghosts[LAIR + ghost] = nextInt();
-            state.ghosts[GameState.MOVE + ghost] = nextMove();
+            state.ghosts[POSE + ghost] = MazePoses.of(node, nextMove());
         }
         state.apart = 0;
         readPills(state, fields[next++], fields[next++]);

@@ -316,16 +316,17 @@ class GameTest {
         ResumableRandom random = new ResumableRandom(8);
         while (!withMap.gameOver()) {
             EnumMap<GHOST, MOVE> moves = new EnumMap<>(GHOST.class);
+            int packed = GhostMoves.NONE;
             for (GHOST ghost : GHOST.values()) {
-                moves.put(ghost, MOVES[random.nextInt(5)]);
+                if (random.nextInt(3) == 0) {
+                    MOVE move = MOVES[random.nextInt(5)];
+                    moves.put(ghost, move);
+                    packed = GhostMoves.with(packed, ghost, move);
+                    assertThat(GhostMoves.get(packed, ghost)).isEqualTo(move);
+                }
             }
             MOVE pacMan = MOVES[random.nextInt(5)];
-            without.advanceGame(
-                    pacMan,
-                    moves.get(GHOST.BLINKY),
-                    moves.get(GHOST.PINKY),
-                    moves.get(GHOST.INKY),
-                    moves.get(GHOST.SUE));
+            without.advanceGame(pacMan, packed);
             withMap.advanceGame(pacMan, moves);
             assertThat(without.getGameState()).isEqualTo(withMap.getGameState());
         }

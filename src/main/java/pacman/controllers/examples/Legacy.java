@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import pacman.controllers.DirectGhosts;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -13,7 +14,7 @@ import pacman.game.Game;
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 4.1; spec/controllers.md, section 5.4.
  */
-public class Legacy extends GhostTeam {
+public class Legacy extends GhostTeam implements DirectGhosts {
 
     private static final GHOST[] ORDER = {GHOST.BLINKY, GHOST.INKY, GHOST.PINKY, GHOST.SUE};
 

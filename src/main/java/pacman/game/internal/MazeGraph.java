@@ -33,6 +33,8 @@ public final class MazeGraph {
     private final short[] y;
     /** Number of the pill on a node, -1 if none. */
     private final short[] pillNumber;
+    /** Number of the pill on a node, or of a bit that stands for no pill. */
+    private final short[] pillPosition;
     /** Number of the power pill on a node, -1 if none. */
     private final short[] powerPillNumber;
     /** Number of the junction at a node, -1 if it is none. */
@@ -80,6 +82,7 @@ public final class MazeGraph {
         powerPillNodes = numbered(powerPillNumber, node -> drawing.isPowerPill(x[node], y[node]));
         junctionNodes = numbered(junctionNumber, node -> degree[node] > 2);
         check(drawing);
+        pillPosition = findPillPositions();
         pillsNearPowerPills = findPillsNearPowerPills();
     }
 
@@ -131,6 +134,16 @@ public final class MazeGraph {
         return Arrays.copyOf(nodes, count);
     }
 
+    private short[] findPillPositions() {
+        short[] positions = pillNumber.clone();
+        for (int node = 0; node < nodeCount; node++) {
+            if (positions[node] < 0) {
+                positions[node] = (short) (Long.SIZE * pillWords() - 1);
+            }
+        }
+        return positions;
+    }
+
     private void check(MazeDrawing drawing) {
         for (int node = 0; node < lair(); node++) {
             if (degree[node] < 2) {
@@ -149,6 +162,13 @@ public final class MazeGraph {
                 throw drawing.errorAtPixel(
                         x[node], y[node], "unreachable corridor: no way leads here from Ms. Pac-Man's start");
             }
+        }
+        if (nodeCount > MazePoses.MAXIMUM_NODES) {
+            int node = MazePoses.MAXIMUM_NODES - 1;
+            throw drawing.errorAtPixel(
+                    x[node],
+                    y[node],
+                    "too much corridor: at most " + (MazePoses.MAXIMUM_NODES - 1) + " steps, four from tile to tile");
         }
         if (pillNodes.length == 0) {
             throw drawing.errorAtPixel(x[pacManStart], y[pacManStart], "no pills: the maze needs at least one '.'");
@@ -270,6 +290,12 @@ public final class MazeGraph {
         return y[node];
     }
 
+    /** A lower bound of the path distance, from the positions alone: every step changes one coordinate by one. */
+    public int leastDistance(int from, int to) {
+        int dx = Math.abs(x[from] - x[to]);
+        return Math.min(dx, MazeDrawing.WIDTH - dx) + Math.abs(y[from] - y[to]);
+    }
+
     /** Number of the pill on a node, -1 if there never was one. */
     public int pillNumber(int node) {
         return pillNumber[node];
@@ -316,9 +342,14 @@ public final class MazeGraph {
         return junctionNodes[junction];
     }
 
-    /** Longs in a bit set of pills. */
+    /** Where a bit set of pills has the pill of a node; if there is none, a bit that stands for no pill. */
+    public int pillPosition(int node) {
+        return pillPosition[node];
+    }
+
+    /** Longs in a bit set of pills; the last bit stands for no pill. */
     public int pillWords() {
-        return (pillNodes.length + 63) >> 6;
+        return (pillNodes.length >> 6) + 1;
     }
 
     /** Word of the bit set of pills that lie on the corridor of a power pill. */

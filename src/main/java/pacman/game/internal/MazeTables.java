@@ -14,6 +14,7 @@ import java.nio.file.Path;
 public final class MazeTables {
 
     private final MazeGraph graph;
+    private final MazePoses poses;
 
     /*
      * Each is made once under the lock. The objects are immutable with final fields, or written before they are published
@@ -27,6 +28,7 @@ public final class MazeTables {
 
     private MazeTables(MazeGraph graph) {
         this.graph = graph;
+        poses = new MazePoses(graph);
     }
 
     /**
@@ -64,6 +66,11 @@ public final class MazeTables {
 
     public MazeGraph graph() {
         return graph;
+    }
+
+    /** Where steps lead. */
+    public MazePoses poses() {
+        return poses;
     }
 
     /** Distances between all nodes. */
@@ -116,6 +123,14 @@ public final class MazeTables {
             pillOrder = new PillOrder(graph, distances());
         }
         return pillOrder;
+    }
+
+    /** Makes what is made when it is first asked for. */
+    void prepare() {
+        paths();
+        moves();
+        pillOrder();
+        maze();
     }
 
     /** The maze as competition entries see it. */

@@ -165,6 +165,18 @@ class MazeDrawingTest {
     }
 
     @Test
+    void fieldWithHardlyAnyWalls_isTooMuchCorridor() {
+        List<String> rows = new ArrayList<>();
+        while (rows.size() < MazeDrawing.ROWS) {
+            rows.add(".".repeat(MazeDrawing.COLUMNS));
+        }
+        rows.set(9, ".............G..............");
+        rows.set(12, "............#LL#............");
+        rows.set(20, ".............P..............");
+        assertError(text(rows), "too much corridor: at most 4095 steps");
+    }
+
+    @Test
     void noPills_isAnError() {
         assertError(text(fifthMaze()).replace('.', '-'), "no pills");
     }

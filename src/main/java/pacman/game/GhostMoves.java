@@ -1,0 +1,46 @@
+package pacman.game;
+
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+
+/**
+ * Moves of the four ghosts in one {@code int}: what a ghost team may answer with instead of the competition's map, so that a
+ * step neither fills nor reads one. {@link MOVE#NEUTRAL} stands for a ghost that is asked for nothing.
+ *
+ * <p>{@value #BITS} bits per ghost hold the ordinal of its move, BLINKY's the lowest.
+ */
+public final class GhostMoves {
+
+    static final int BITS = 3;
+    static final int MASK = 7;
+
+    /** No ghost is asked for anything. */
+    public static final int NONE = packed(null, null, null, null);
+
+    private static final MOVE[] MOVES = MOVE.values();
+
+    private GhostMoves() {}
+
+    /** The moves with that of one ghost replaced; null is the same as NEUTRAL. */
+    public static int with(int moves, GHOST ghost, MOVE move) {
+        int shift = BITS * ghost.ordinal();
+        return moves & ~(MASK << shift) | request(move) << shift;
+    }
+
+    /** The move of a ghost. */
+    public static MOVE get(int moves, GHOST ghost) {
+        return MOVES[of(moves, ghost.ordinal())];
+    }
+
+    static int of(int moves, int ghost) {
+        return moves >>> BITS * ghost & MASK;
+    }
+
+    static int packed(MOVE blinky, MOVE pinky, MOVE inky, MOVE sue) {
+        return request(blinky) | request(pinky) << BITS | request(inky) << 2 * BITS | request(sue) << 3 * BITS;
+    }
+
+    static int request(MOVE move) {
+        return move == null ? GameState.NO_MOVE : move.ordinal();
+    }
+}

@@ -1,0 +1,72 @@
+package pacman.game.internal;
+
+import java.util.Arrays;
+
+/**
+ * Where a step leads, by pose. A pose is a node together with the move that led there, in one number: what has to be known of
+ * somebody to say where going straight on leads. Immutable.
+ *
+ * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none.
+ */
+public final class MazePoses {
+
+    /** Nodes for which poses fit the table, the lair included: three times what mazes have. */
+    static final int MAXIMUM_NODES = 1 << 12;
+
+    private static final int MOVE_BITS = 3;
+    private static final int MOVE_MASK = (1 << MOVE_BITS) - 1;
+
+    /** Pose after repeating the move of a pose, -1 if there is a wall; index pose. */
+    private final short[] onward;
+
+    /** Whether a ghost of a pose may choose where to go; index pose. */
+    private final boolean[] choice;
+
+    MazePoses(MazeGraph graph) {
+        onward = new short[graph.nodeCount() << MOVE_BITS];
+        Arrays.fill(onward, (short) -1);
+        for (int node = 0; node < graph.nodeCount(); node++) {
+            for (int move = 0; move < 4; move++) {
+                int next = graph.neighbour(node, move);
+                if (next >= 0) {
+                    onward[of(node, move)] = (short) of(next, move);
+                }
+            }
+        }
+        choice = new boolean[onward.length];
+        for (int pose = 0; pose < choice.length; pose++) {
+            choice[pose] = graph.isJunction(node(pose));
+        }
+        choice[of(graph.ghostStart(), 4)] = true;
+    }
+
+    /** The pose of somebody who came to a node by a move, or by none. */
+    public static int of(int node, int move) {
+        return node << MOVE_BITS | move;
+    }
+
+    /** The node of a pose. */
+    public static int node(int pose) {
+        return pose >> MOVE_BITS;
+    }
+
+    /** The move of a pose, 0 to 4. */
+    public static int move(int pose) {
+        return pose & MOVE_MASK;
+    }
+
+    /** The same node, reached by another move. */
+    public static int turned(int pose, int move) {
+        return pose & ~MOVE_MASK | move;
+    }
+
+    /** Whether a ghost of that pose may choose: at a junction, or just out of the lair. */
+    public boolean isChoice(int pose) {
+        return choice[pose];
+    }
+
+    /** The pose after repeating the pose's move; -1 if a wall is there, or the move is none. */
+    public int onward(int pose) {
+        return onward[pose];
+    }
+}
