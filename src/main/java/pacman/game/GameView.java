@@ -23,6 +23,7 @@ import javax.swing.SwingUtilities;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.internal.Maze;
+import pacman.game.internal.Node;
 
 /**
  * The picture of a game: maze, pills, Ms. Pac-Man, ghosts, and what controllers draw for debugging.
@@ -159,13 +160,13 @@ public final class GameView extends JComponent {
     private void paintState(Graphics graphics, Game state) {
         graphics.setColor(Color.BLACK);
         graphics.fillRect(0, 0, WIDTH, HEIGHT);
-        Maze maze = state.getCurrentMaze();
+        Maze maze = state.shownMaze();
         graphics.drawImage(
-                mazePictures.computeIfAbsent(maze, drawn -> MazePicture.of(drawn, state.getMazeIndex())), 2, 6, null);
+                mazePictures.computeIfAbsent(maze, drawn -> MazePicture.of(drawn, state.shownMazeIndex())), 2, 6, null);
         paintDebugDrawing(graphics);
-        paintPills(graphics, state);
-        paintPacMan(graphics, state);
-        paintGhosts(graphics, state);
+        paintPills(graphics, state, maze);
+        paintPacMan(graphics, state, maze);
+        paintGhosts(graphics, state, maze);
         paintLives(graphics, state);
         paintText(graphics, state);
     }
@@ -185,37 +186,41 @@ public final class GameView extends JComponent {
         }
     }
 
-    private static void paintPills(Graphics graphics, Game state) {
+    private static void paintPills(Graphics graphics, Game state, Maze maze) {
         graphics.setColor(Color.WHITE);
-        for (int node : state.getActivePillsIndices()) {
-            graphics.fillOval(
-                    state.getNodeXCoord(node) * Constants.MAG + 4, state.getNodeYCoord(node) * Constants.MAG + 8, 3, 3);
+        for (int pill = 0; pill < maze.pillIndices.length; pill++) {
+            if ((state.pillBits(pill >> 6) >>> pill & 1) != 0) {
+                Node node = maze.graph[maze.pillIndices[pill]];
+                graphics.fillOval(node.x * Constants.MAG + 4, node.y * Constants.MAG + 8, 3, 3);
+            }
         }
-        for (int node : state.getActivePowerPillsIndices()) {
-            graphics.fillOval(
-                    state.getNodeXCoord(node) * Constants.MAG + 1, state.getNodeYCoord(node) * Constants.MAG + 5, 8, 8);
+        for (int powerPill = 0; powerPill < maze.powerPillIndices.length; powerPill++) {
+            if ((state.powerPillBits() >>> powerPill & 1) != 0) {
+                Node node = maze.graph[maze.powerPillIndices[powerPill]];
+                graphics.fillOval(node.x * Constants.MAG + 1, node.y * Constants.MAG + 5, 8, 8);
+            }
         }
     }
 
-    private void paintPacMan(Graphics graphics, Game state) {
+    private void paintPacMan(Graphics graphics, Game state, Maze maze) {
         MOVE move = state.getPacmanLastMoveMade();
         if (move != MOVE.NEUTRAL) {
             facing = move;
         }
-        int node = state.getPacmanCurrentNodeIndex();
+        Node node = maze.graph[state.getPacmanCurrentNodeIndex()];
         graphics.drawImage(
                 images.getPacMan(facing, state.getTotalTime()),
-                state.getNodeXCoord(node) * Constants.MAG - 1,
-                state.getNodeYCoord(node) * Constants.MAG + 3,
+                node.x * Constants.MAG - 1,
+                node.y * Constants.MAG + 3,
                 null);
     }
 
-    private void paintGhosts(Graphics graphics, Game state) {
+    private void paintGhosts(Graphics graphics, Game state, Maze maze) {
         int time = state.getTotalTime();
         for (GHOST ghost : GHOST.values()) {
-            int node = state.getGhostCurrentNodeIndex(ghost);
-            int x = state.getNodeXCoord(node) * Constants.MAG - 1;
-            int y = state.getNodeYCoord(node) * Constants.MAG + 3;
+            Node node = maze.graph[state.getGhostCurrentNodeIndex(ghost)];
+            int x = node.x * Constants.MAG - 1;
+            int y = node.y * Constants.MAG + 3;
             if (state.getGhostEdibleTime(ghost) > 0) {
                 boolean blinking = state.getGhostEdibleTime(ghost) < Constants.EDIBLE_ALERT;
                 graphics.drawImage(images.getEdibleGhost(blinking, time), x, y, null);

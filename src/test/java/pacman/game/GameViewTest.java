@@ -6,10 +6,12 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.image.BufferedImage;
+import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
+import pacman.game.internal.Node;
 
 /** The picture of a game, painted off screen: spec/controllers.md, section 7. */
 class GameViewTest {
@@ -24,6 +26,10 @@ class GameViewTest {
     }
 
     private BufferedImage painted() {
+        return painted(view);
+    }
+
+    private static BufferedImage painted(GameView view) {
         BufferedImage image = new BufferedImage(228, 280, BufferedImage.TYPE_INT_RGB);
         Graphics graphics = image.createGraphics();
         view.paintComponent(graphics);
@@ -100,6 +106,23 @@ class GameViewTest {
         }
         game.setGameState(String.join(",", fields));
         assertThat(colour(painted(), x, y)).isEqualTo(Color.BLACK);
+    }
+
+    @Test
+    void afterTheLastLevel_theMazeThatEverybodyIsIn_isPainted() {
+        for (int seed = 0; seed < 20; seed++) {
+            ResumableRandom random = new ResumableRandom(seed);
+            Game ended = new Game(seed, GameRules.isolatedGhosts(seed % 4, GhostLocations.shipped()), random);
+            int pacMan = 0;
+            while (!ended.gameOver()) {
+                ended.advanceGame(MOVE.values()[random.nextInt(4)], GhostMoves.NONE);
+                pacMan = ended.getPacmanCurrentNodeIndex();
+            }
+            assertThat(ended.getMazeIndex()).isNotEqualTo(3);
+            Node node = new Game(0, 3).getCurrentMaze().graph[pacMan];
+            BufferedImage around = painted(new GameView(ended)).getSubimage(2 * node.x - 1, 2 * node.y + 3, 14, 14);
+            assertThat(around.getRGB(0, 0, 14, 14, null, 0, 14)).contains(new Color(255, 230, 0).getRGB());
+        }
     }
 
     @Test

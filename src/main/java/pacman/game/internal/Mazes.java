@@ -47,6 +47,13 @@ public final class Mazes {
         return known != null ? known : load(index);
     }
 
+    /** Makes the tables that games look at, which otherwise are made when the first game needs them. */
+    public void prepare() {
+        for (int index = 0; index < count(); index++) {
+            get(index).prepare();
+        }
+    }
+
     private synchronized MazeTables load(int index) {
         MazeTables known = tables.get(index);
         if (known == null) {
