@@ -3,6 +3,7 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -143,11 +144,14 @@ final class EvaluateCommand implements Runnable, WordCommand {
                     double perSecond = played / ((System.nanoTime() - start) * 1e-9);
                     notes.printf(
                             Locale.ROOT,
-                            "evaluate: %,d of %,d games, %.0f games/s, about %,.0f s left%n",
+                            "evaluate: %,d of %,d games, %.1f games/s, %s%n",
                             played,
                             all,
                             perSecond,
-                            (all - played) / Math.max(1e-9, perSecond));
+                            played == 0
+                                    ? "time left not known yet"
+                                    : "about " + Texts.duration(Duration.ofSeconds((long) ((all - played) / perSecond)))
+                                            + " left");
                     notes.flush();
                 },
                 PROGRESS_SECONDS,

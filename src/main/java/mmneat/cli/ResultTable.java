@@ -29,11 +29,17 @@ final class ResultTable {
                 .toList();
         if (!complete.isEmpty()) {
             out.println();
-            out.println(plan.name() + ": champions of the last generation");
-            out.printf(Locale.ROOT, "  %5s  %10s  %10s  %s%n", "run", "score", "median", "folder");
+            out.println(plan.name() + ": scores of the final parents");
+            out.printf(Locale.ROOT, "  %5s  %10s  %10s  %s%n", "run", "best", "median", "folder");
             complete.stream().limit(MOST_LINES).forEach(outcome -> printRun(out, outcome));
             if (complete.size() > MOST_LINES) {
                 out.println("  and " + (complete.size() - MOST_LINES) + " more");
+            }
+            int generations = plan.parameters().integer("maxGens");
+            if (generations > 0) {
+                // The final parents are scored, but as in the original the champion is chosen in the generation before.
+                out.println("champion.json in a folder is the best parent of generation " + (generations - 1)
+                        + ", the last that had children; its score was that generation's.");
             }
         }
         long before = outcomes.stream()

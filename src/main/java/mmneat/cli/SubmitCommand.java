@@ -106,6 +106,10 @@ final class SubmitCommand implements Callable<Integer>, WordCommand {
             PrintWriter out = command.commandLine().getOut();
             worst = Math.max(
                     worst, new MainJob(part.words(), out, command.commandLine().getErr()).call());
+            if (!part.plan().parameters().flag("quiet")) {
+                out.println();
+                out.flush();
+            }
         }
         return worst;
     }

@@ -1,6 +1,8 @@
 package mmneat.experiment;
 
+import java.util.Map;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import mmneat.evolution.EvolutionSettings;
 import mmneat.evolution.Task;
 import mmneat.neat.ActivationFunction;
@@ -70,18 +72,45 @@ record EvolutionParameters(
         return crowding.equals("front") ? Crowding.PER_FRONT : Crowding.WHOLE_POPULATION;
     }
 
+    /**
+     * Makes sure that the parameters go together.
+     *
+     * @throws UserError naming two that do not
+     */
+    void requireConsistent() {
+        if (multitaskModes > 1 && choosesModules()) {
+            throw new UserError(chooser() + " does not go with multitaskModes=" + multitaskModes
+                    + ": either the task chooses the module or the network does; leave one of them out");
+        }
+    }
+
+    /** Whether networks choose their modules by preference neurons. */
+    private boolean choosesModules() {
+        return startingModes > 1 || rates().module().canAddModules();
+    }
+
+    /** The parameter because of which they do. */
+    private String chooser() {
+        if (startingModes > 1) {
+            return "startingModes=" + startingModes;
+        }
+        return Stream.of(
+                        Map.entry("mmdRate", mmdRate),
+                        Map.entry("mmpRate", mmpRate),
+                        Map.entry("mmrRate", mmrRate),
+                        Map.entry("fullMMRate", fullMMRate))
+                .filter(rate -> rate.getValue() > 0)
+                .map(rate -> rate.getKey() + "=" + rate.getValue())
+                .findFirst()
+                .orElseThrow();
+    }
+
     /** Source: spec/networks.md, section 3.2. */
     private ModuleLayout layout(int policyNeurons) {
-        boolean choosesModules = startingModes > 1 || rates().module().canAddModules();
         if (multitaskModes > 1) {
-            if (choosesModules) {
-                throw new UserError("multitaskModes=" + multitaskModes
-                        + " does not go with startingModes above 1 or with module mutation: either the task chooses the"
-                        + " module or the network does");
-            }
             return ModuleLayout.multitask(multitaskModes, policyNeurons);
         }
-        return choosesModules
+        return choosesModules()
                 ? ModuleLayout.withPreferenceNeurons(startingModes, policyNeurons)
                 : ModuleLayout.single(policyNeurons);
     }

@@ -3,6 +3,7 @@ package mmneat.experiment;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -21,7 +22,9 @@ public final class Experiment {
 
     private final ExperimentPlan plan;
     private final List<RunMonitor> monitors;
-    private final Supplier<Task> tasks;
+    /** What makes the tasks of each run, in the plan's order. */
+    private final List<Supplier<Task>> tasks;
+
     private final CommitGate gate = new CommitGate();
     private final Set<RunLock> heldLocks = ConcurrentHashMap.newKeySet();
 
@@ -32,14 +35,28 @@ public final class Experiment {
      */
     public Experiment(ExperimentPlan plan) {
         this.plan = plan;
-        tasks = Tasks.factory(plan.parameters());
+        tasks = tasks(plan);
         monitors = plan.runs().stream()
                 .map(run -> new RunMonitor(run, System::nanoTime))
                 .toList();
-        plan.runs().get(0).parameters().as(EvolutionParameters.class).settings(tasks.get());
+        plan.runs()
+                .get(0)
+                .parameters()
+                .as(EvolutionParameters.class)
+                .settings(tasks.get(0).get());
         for (RunPlan run : plan.runs()) {
             requireSameParameters(run);
         }
+    }
+
+    /**
+     * Makes sure that the plan can be carried out, as far as that can be told before it is: nobody wants to learn from thirty jobs
+     * of a cluster that a file is missing.
+     *
+     * @throws UserError if not
+     */
+    static void requirePossible(ExperimentPlan plan) {
+        new Experiment(plan);
     }
 
     private static void requireSameParameters(RunPlan run) {
@@ -48,9 +65,19 @@ public final class Experiment {
             if (file.exists()) {
                 file.requireSame(run);
             }
+            GhostLocationsCopy.requireSame(run);
         } catch (IOException e) {
-            throw new UserError(run.directory() + ": parameters.properties cannot be read: " + e.getMessage(), e);
+            throw new UserError(run.directory() + ": cannot be read: " + e.getMessage(), e);
         }
+    }
+
+    private static List<Supplier<Task>> tasks(ExperimentPlan plan) {
+        if (TaskKind.of(plan.parameters()) == TaskKind.ISOLATED) {
+            return plan.runs().stream()
+                    .map(run -> Tasks.factory(GhostLocationsCopy.parameters(run)))
+                    .toList();
+        }
+        return Collections.nCopies(plan.runs().size(), Tasks.factory(plan.parameters()));
     }
 
     /** How each run goes, in the plan's order. */
@@ -78,8 +105,9 @@ public final class Experiment {
                 });
         try {
             List<Future<RunOutcome>> pending = new ArrayList<>();
-            for (RunMonitor monitor : monitors) {
-                RunWorker worker = new RunWorker(monitor.run(), tasks, threads, monitor, gate, heldLocks);
+            for (int i = 0; i < monitors.size(); i++) {
+                RunMonitor monitor = monitors.get(i);
+                RunWorker worker = new RunWorker(monitor.run(), tasks.get(i), threads, monitor, gate, heldLocks);
                 pending.add(workers.submit(worker::work));
             }
             List<RunOutcome> outcomes = new ArrayList<>();

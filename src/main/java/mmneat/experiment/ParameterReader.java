@@ -53,6 +53,7 @@ public final class ParameterReader {
                     + parameters.ofOwnTask().keySet().iterator().next() + "': names with '" + OwnTask.PREFIX
                     + "' are for a task of your own");
         }
+        parameters.as(EvolutionParameters.class).requireConsistent();
         return new Result(parameters, List.copyOf(remarks));
     }
 
@@ -98,10 +99,17 @@ public final class ParameterReader {
         } catch (UserError e) {
             throw new UserError(name + ": " + e.getMessage(), e);
         }
+        layer.computeIfPresent(GhostLocationsCopy.PARAMETER, (unused, value) -> besideFile(name, value));
         if (layer.containsKey("config")) {
             throw new UserError(name + ": config= is for the command line only");
         }
         return layer;
+    }
+
+    /** A file that is meant to stand beside the parameter file, as in a run's folder; otherwise the name as it is. */
+    private static String besideFile(String parameterFile, String name) {
+        Path beside = Path.of(parameterFile).resolveSibling(name);
+        return !name.isEmpty() && Files.isRegularFile(beside) ? beside.toString() : name;
     }
 
     private Map<String, String> savedByOriginal(List<String> lines) {

@@ -25,7 +25,7 @@ final class RunParametersFile {
 
     /** What may differ when a run is continued: where things are, and how far it goes. */
     private static final Set<String> MAY_CHANGE =
-            Set.of("base", "saveTo", "jar", "mazePowerPillGhostMapping", "maxGens", "method");
+            Set.of("base", "saveTo", "jar", GhostLocationsCopy.PARAMETER, "maxGens", "method");
 
     private static final Set<String> FOLLOW_FROM_OTHERS = Set.of("method", "jar");
 
@@ -89,6 +89,9 @@ final class RunParametersFile {
         TaskKind kind = TaskKind.of(parameters);
         if (kind != TaskKind.OWN) {
             values.put("task", kind.label());
+        }
+        if (kind == TaskKind.ISOLATED) {
+            values.put(GhostLocationsCopy.PARAMETER, GhostLocationsCopy.FILE);
         }
         parameters.ofOwnTask().forEach((name, value) -> values.put(OwnTask.PREFIX + name, value));
         return values;

@@ -100,6 +100,8 @@ final class RunWorker {
         RunFiles files = new RunFiles(folder, task, files(settings));
         CheckpointFile checkpoint = new CheckpointFile(run.directory());
 
+        GhostLocationsCopy.requireSame(run);
+        GhostLocationsCopy.keep(run);
         EvolutionState state = begin(settings, folder, files, checkpoint);
         parametersFile.write(run);
         RunStatus status = new RunStatus(

@@ -40,9 +40,16 @@ public record Study(List<Part> parts, List<String> remarks) {
         List<String> common = words.stream()
                 .filter(word -> !isNamed(word, "task") && !isNamed(word, "method"))
                 .toList();
+        // A name that is no method at all is a mistake, not a combination that nobody published.
+        List<String> known = methods.contains(ALL)
+                ? List.of()
+                : methods.stream()
+                        .map(catalogue.require("method")::check)
+                        .distinct()
+                        .toList();
         for (String task : tasks) {
             List<String> published = publishedMethods(task);
-            for (String method : methods.contains(ALL) ? published : methods) {
+            for (String method : methods.contains(ALL) ? published : known) {
                 if (published.contains(method)) {
                     List<String> own = new ArrayList<>(List.of("task=" + task, "method=" + method));
                     own.addAll(common);
@@ -62,7 +69,9 @@ public record Study(List<Part> parts, List<String> remarks) {
     private static Part part(List<String> words, ParameterCatalogue catalogue, List<String> remarks) {
         ParameterReader.Result read = new ParameterReader(catalogue).read(words);
         remarks.addAll(read.remarks());
-        return new Part(ExperimentPlan.of(read.parameters()), words);
+        ExperimentPlan plan = ExperimentPlan.of(read.parameters());
+        Experiment.requirePossible(plan);
+        return new Part(plan, words);
     }
 
     private static List<String> publishedMethods(String task) {

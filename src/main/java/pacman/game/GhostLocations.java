@@ -3,8 +3,8 @@ package pacman.game;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.Reader;
+import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -38,9 +38,17 @@ public final class GhostLocations {
 
     /** The recording that comes with the program. */
     public static GhostLocations shipped() {
-        try (InputStream bytes = GhostLocations.class.getResourceAsStream(SHIPPED);
-                Reader text = new InputStreamReader(bytes, StandardCharsets.UTF_8)) {
-            return read(SHIPPED, text);
+        try {
+            return read(SHIPPED, new StringReader(shippedText()));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** The text of the recording that comes with the program. */
+    public static String shippedText() {
+        try (InputStream text = GhostLocations.class.getResourceAsStream(SHIPPED)) {
+            return new String(text.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -17,6 +18,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import pacman.game.GhostLocations;
 
 /** Nothing is ever lost: real processes of the packaged jar, killed, stopped, started twice and out of disk space. */
 class CrashSafetyIT {
@@ -45,9 +47,12 @@ class CrashSafetyIT {
                 "-Xmx512m",
                 "-jar",
                 JAR.toString()));
-        command.addAll(EXPERIMENT);
+        // A word that is said again means the later one.
+        Map<String, String> words = new LinkedHashMap<>();
+        Stream.concat(EXPERIMENT.stream(), Arrays.stream(more))
+                .forEach(word -> words.put(word.substring(0, word.indexOf('=')), word));
+        command.addAll(words.values());
         command.add("base=" + base);
-        command.addAll(Arrays.asList(more));
         return new ProcessBuilder(command)
                 .redirectErrorStream(true)
                 .redirectOutput(ProcessBuilder.Redirect.appendTo(new File(folder.toFile(), "output.txt")));
@@ -143,6 +148,36 @@ class CrashSafetyIT {
             assertThat(finish(start(base))).isZero();
             assertSameAsWhole(base);
         }
+    }
+
+    @Test
+    void isolatedRun_movedWithoutTheFileOfGhostLocations_goesOn() throws Exception {
+        Path recording = Files.writeString(folder.resolve("recording.txt"), GhostLocations.shippedText() + "\n");
+        String[] words = {"task=isolated", "runs=1", "mazePowerPillGhostMapping=" + recording};
+        Path unmoved = folder.resolve("unmoved");
+        assertThat(finish(start(unmoved, words))).isZero();
+
+        Path here = folder.resolve("here");
+        Process process = start(here, words);
+        awaitFile(process, here.resolve("2M0/isolated-2M0_parents_gen1.txt"));
+        signal("KILL", process);
+        assertThat(finish(process)).isEqualTo(137);
+        Path there = folder.resolve("there/deeper");
+        Files.createDirectories(there);
+        Files.move(here.resolve("2M0"), there.resolve("2M0"));
+        Files.delete(recording);
+        assertThat(finish(start(there, words))).as(output()).isZero();
+        assertThat(content(there.resolve("2M0")))
+                .isEqualTo(content(unmoved.resolve("2M0")))
+                .containsKey("ghost-locations.txt");
+
+        // The folder alone is enough: its parameters name its own locations.
+        Path again = folder.resolve("again");
+        List<String> fromFile = new ArrayList<>(command(again).command());
+        fromFile.removeAll(EXPERIMENT);
+        fromFile.add("config=" + there.resolve("2M0/parameters.properties"));
+        assertThat(finish(new ProcessBuilder(fromFile).inheritIO().start())).isZero();
+        assertThat(content(again.resolve("2M0"))).isEqualTo(content(unmoved.resolve("2M0")));
     }
 
     @Test

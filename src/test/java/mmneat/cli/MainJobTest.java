@@ -27,7 +27,7 @@ class MainJobTest {
 
     private int evolve(String... more) {
         String[] words = new String[more.length + 5];
-        words[0] = "task=mmneat.experiment.XorTask";
+        words[0] = "task=mmneat.evolution.XorTask";
         words[1] = "mating=true";
         words[2] = "mu=5";
         words[3] = "maxGens=2";
@@ -41,8 +41,9 @@ class MainJobTest {
         assertThat(evolve("runs=2")).isZero();
         assertThat(out.toString())
                 .contains("XorTask-1M: 2 runs in " + folder.resolve("xor"))
-                .containsPattern("run +score +median +folder")
+                .containsPattern("run +best +median +folder")
                 .contains(folder.resolve("xor").resolve("1M1").toString())
+                .contains("champion.json in a folder is the best parent of generation 1,")
                 .contains("mmneat.jar network " + folder.resolve("xor"))
                 .doesNotContain("\u001b");
         assertThat(folder.resolve("xor/XorTask-1M_learning-curve.svg"))

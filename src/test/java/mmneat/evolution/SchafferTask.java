@@ -10,7 +10,7 @@ import mmneat.random.ResumableRandom;
  * Schaffer's two-objective function of the network's answer x in (-1, 1) to a constant input, with noise: be near -0.5, and be
  * near 0.5. Every x between the two is a compromise that none dominates.
  */
-public final class SchafferTask implements Task {
+public class SchafferTask implements Task {
 
     static final double NOISE = 0.001;
 

@@ -81,7 +81,8 @@ class ExperimentPlanTest {
     void savedParameters_describeTheSameRun(@TempDir Path folder) throws IOException {
         for (String[] words : new String[][] {
             {"task=blended", "run=7", "mu=10", "base=" + folder},
-            {"task=isolated", "method=MT", "runs=3", "base=" + folder, "mazePowerPillGhostMapping=a b\\c:\u00e9=.txt"},
+            {"task=interleaved", "method=MT", "runs=3", "base=" + folder, "mazePowerPillGhostMapping=a b\\c:\u00e9=.txt"
+            },
             {"task:MsPacManTask", "mating:true", "imprisonedWhileEdible:true", "base=" + folder, "log:x"},
             {"task=com.example.Xor", "jar=x.jar", "task.noise=3", "method=3M", "base=" + folder}
         }) {

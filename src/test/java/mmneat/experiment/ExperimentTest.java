@@ -19,6 +19,7 @@ import java.util.concurrent.Future;
 import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.Task;
+import mmneat.evolution.XorTask;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;

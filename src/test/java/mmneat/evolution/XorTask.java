@@ -1,22 +1,25 @@
-package mmneat.experiment;
+package mmneat.evolution;
 
 import java.util.List;
 import java.util.Map;
-import mmneat.evolution.Evaluation;
-import mmneat.evolution.Task;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.Network;
 import mmneat.neat.network.NetworkState;
 import mmneat.random.ResumableRandom;
 
 /**
- * A task of somebody's own, as a user would write it: exclusive or, with noise on the inputs, and few links as a second
- * objective.
+ * A task of somebody's own, as a user would write it: exclusive or, the smallest task that needs a hidden neuron, with noise on
+ * the inputs, and few links as a second objective.
  */
 public final class XorTask implements Task {
 
     private final double noise;
     private final int repetitions;
+
+    /** Without noise: nothing depends on chance. */
+    static XorTask exact() {
+        return new XorTask(Map.of("noise", "0", "repetitions", "1"));
+    }
 
     public XorTask(Map<String, String> parameters) {
         noise = Double.parseDouble(parameters.getOrDefault("noise", "0.05"));
