@@ -28,6 +28,7 @@ class TanhTest {
                 0.5,
                 1,
                 2,
+                6.75,
                 7,
                 19.0625,
                 22,
@@ -79,6 +80,7 @@ class TanhTest {
                 0x1.62e43p-3,
                 0x1.0a2b2p-1, // 1.5 ln 2: k is computed from here on
                 0x1.0a2b23f3bab73p-1,
+                6.75,
                 1, // tanh changes the sign of expm1's argument
                 19.061547465398498, // 55 ln 2 / 2
                 19.0625,
