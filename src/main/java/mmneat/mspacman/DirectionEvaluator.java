@@ -33,7 +33,6 @@ public final class DirectionEvaluator {
     private final ModuleDivision division;
 
     private final NetworkStates states;
-    private final double[] preferences = new double[DIRECTIONS];
     private final ModuleUse use;
     private final boolean usesTanh;
     private int livesBefore = -1;
@@ -108,15 +107,15 @@ public final class DirectionEvaluator {
             activateOneByOne(state, random);
         }
         for (int d = 0; d < DIRECTIONS; d++) {
-            preferences[d] = WALL;
             if (wasOpen(d)) {
                 use.countNetwork(d, situation, states.get(d).lastModule());
-                preferences[d] = states.get(d).policyOutput(0);
             }
         }
+        int clear = states.clearlyHighest(open, 0);
         // Quirk of the original: at a tie, the module counted may be that of a direction that is not taken.
-        use.countDecision(situation, states.get(preferredDirection(random)).lastModule());
-        return preferredDirection(random);
+        use.countDecision(
+                situation, states.get(preferredDirection(clear, random)).lastModule());
+        return preferredDirection(clear, random);
     }
 
     /** The activations of input neurons are known from tables; those of all directions go through the network at once. */
@@ -154,19 +153,27 @@ public final class DirectionEvaluator {
         livesBefore = lives;
     }
 
-    /** The direction with the highest preference, drawn if several have it; drawn even if there is only one. */
-    private int preferredDirection(ResumableRandom random) {
-        double highest = preferences[0];
+    /**
+     * The direction with the highest preference, drawn if several have it; drawn even if there is only one.
+     *
+     * @param clear the direction if it is known already, below 0 if preferences must be compared to the last bit
+     */
+    private int preferredDirection(int clear, ResumableRandom random) {
+        if (clear >= 0) {
+            random.nextInt(1);
+            return clear;
+        }
+        double highest = preference(0);
         for (int d = 1; d < DIRECTIONS; d++) {
-            highest = Math.max(highest, preferences[d]);
+            highest = Math.max(highest, preference(d));
         }
         int tied = 0;
-        for (double preference : preferences) {
-            tied += preference == highest ? 1 : 0;
+        for (int d = 0; d < DIRECTIONS; d++) {
+            tied += preference(d) == highest ? 1 : 0;
         }
         int drawn = random.nextInt(tied);
         int direction = 0;
-        while (preferences[direction] != highest || drawn-- > 0) {
+        while (preference(direction) != highest || drawn-- > 0) {
             direction++;
         }
         return direction;
@@ -184,7 +191,7 @@ public final class DirectionEvaluator {
 
     /** Preference for a direction in the last decision; -1 for walls. */
     public double preference(int direction) {
-        return preferences[direction];
+        return wasOpen(direction) ? states.get(direction).policyOutput(0) : WALL;
     }
 
     /** Whether a direction was open in the last decision. */

@@ -19,9 +19,21 @@ public final class Network {
      *   1. recurrent links (source at or behind the target) by source, with the source's activation of the previous step;
      *   2. forward links by source, with the activation of this step.
      *
-     * Only the order within a sum counts, so neurons are numbered by level: a neuron's forward sources all lie on lower
-     * levels, and the neurons of one level are independent of each other. Outputs that no link reads come last and are
-     * computed only when somebody asks for them ("lazy"): a module that loses the choice costs nothing.
+     * Only the order within a sum counts, so neurons can be computed in any order that has a neuron's forward sources before
+     * it, and those that nobody asks for not at all. They are grouped by what they are needed for:
+     *
+     *   always   what later steps read: sources of recurrent links, and what these depend on;
+     *   shared   what more than one module's answer or the choice of the module depends on;
+     *   modules  what the answer of one module alone depends on: a module that loses the choice costs nothing.
+     *
+     * Within a group neurons are ordered by level: their forward sources all lie on lower levels, and those of one level are
+     * independent of each other. Outputs that no link reads come last and are computed only when somebody asks for them
+     * ("lazy").
+     *
+     * What is not always needed serves decisions alone: which module has the highest preference, which state the highest
+     * answer. Mostly they are far enough apart to be told from rough values (RoughTanh); the margin, found when compiling, says
+     * how far a rough sum can be from the exact one. Where that does not settle it, and whenever a value is read, the exact one is
+     * computed. What later steps read is always exact, so that rough values leave no trace.
      *
      * Slots number what has an activation: first all inputs, then the neurons in that order. Nodes from which no output
      * can be reached in any number of steps have no slot.
@@ -29,6 +41,18 @@ public final class Network {
 
     /** Slot of a node that takes no part. */
     static final int LEFT_OUT = -1;
+
+    /** Group of neurons that later steps need. */
+    static final int ALWAYS = 0;
+
+    /** Group of neurons that more than one module, or the choice of a module, needs. */
+    static final int SHARED = 1;
+
+    /** Group of neurons that only module 0's answer needs; those of the other modules follow. */
+    static final int FIRST_MODULE = 2;
+
+    /** Networks of so large weights that rough sums could be farther off are never computed roughly. */
+    static final double LARGEST_MARGIN = 1e-3;
 
     final int inputs;
     final ModuleLayout layout;
@@ -40,8 +64,12 @@ public final class Network {
     final int slots;
     /** Neurons from this slot on are lazy. */
     final int firstLazy;
-    /** First slot of each level of the neurons that are not lazy, and {@link #firstLazy} at the end. */
-    final int[] levelStart;
+    /** First slot of each group of the neurons that are not lazy, and {@link #firstLazy} at the end. */
+    final int[] groupStart;
+    /** Group of each output neuron, by output number, lazy or not. */
+    final int[] groupOfOutput;
+    /** How far a rough sum can be from the exact one. */
+    final double margin;
     /** Per slot: where its forward links start in the two arrays below; one more entry at the end. */
     final int[] forwardStart;
 
@@ -64,8 +92,9 @@ public final class Network {
     Network(
             Genotype genotype,
             int[] slotOfNode,
-            int firstLazy,
-            int[] levelStart,
+            int[] groupStart,
+            int[] groupOfOutput,
+            double margin,
             int[] forwardStart,
             int[] forwardSource,
             double[] forwardWeight,
@@ -78,8 +107,10 @@ public final class Network {
         this.layout = genotype.layout();
         this.slotOfNode = slotOfNode;
         this.slots = forwardStart.length - 1;
-        this.firstLazy = firstLazy;
-        this.levelStart = levelStart;
+        this.groupStart = groupStart;
+        this.groupOfOutput = groupOfOutput;
+        this.margin = margin;
+        this.firstLazy = groupStart[groupStart.length - 1];
         this.forwardStart = forwardStart;
         this.forwardSource = forwardSource;
         this.forwardWeight = forwardWeight;
@@ -152,6 +183,10 @@ public final class Network {
     /** Number of nodes of the genotype, left-out ones included. */
     public int nodes() {
         return slotOfNode.length;
+    }
+
+    int firstOutput() {
+        return slotOfNode.length - slotOfOutput.length;
     }
 
     /** Whether the node at this position of {@link Genotype#nodes()} is part of the network: it has an activation. */

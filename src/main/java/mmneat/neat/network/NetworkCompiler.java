@@ -5,6 +5,7 @@ import java.util.List;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
+import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
 
 /**
@@ -13,6 +14,11 @@ import mmneat.neat.NodeGene;
  * <p>"Position" is an index into the genotype's nodes, "slot" an index into a state's activations.
  */
 final class NetworkCompiler {
+
+    /** Not in any group yet. */
+    private static final int NO_GROUP = -1;
+
+    private static final double UNIT_ROUNDING = 0x1p-53;
 
     private final Genotype genotype;
     private final int nodes;
@@ -32,6 +38,12 @@ final class NetworkCompiler {
 
     private final int[] slotOfNode;
 
+    /** Per position: the group of the node, as {@link Network} explains it. */
+    private final int[] group;
+
+    /** How far sums may be from what they are if neurons are computed roughly; 0 if none may be. */
+    private final double margin;
+
     NetworkCompiler(Genotype genotype, boolean withAllNodes) {
         this.genotype = genotype;
         nodes = genotype.nodes().size();
@@ -44,17 +56,93 @@ final class NetworkCompiler {
         included = new boolean[nodes];
         read = new boolean[nodes];
         slotOfNode = new int[nodes];
+        group = new int[nodes];
         gatherIncomingLinks();
         Arrays.fill(included, 0, withAllNodes ? nodes : inputs, true);
         includeSourcesOfOutputs();
+        if (!withAllNodes && allTanh()) {
+            findGroups();
+        }
+        double largestDifference = largestDifference();
+        if (largestDifference > Network.LARGEST_MARGIN) {
+            Arrays.fill(group, Network.ALWAYS);
+        }
+        margin = largestDifference > Network.LARGEST_MARGIN ? 0 : largestDifference;
     }
 
     Network compile() {
-        int[] levelOfNode = levels();
-        int[] levelStart = numberSlots(levelOfNode);
-        int firstLazy = levelStart[levelStart.length - 1];
-        int[] nodeOfSlot = nodesOfSlots();
-        return withLinks(nodeOfSlot, levelStart, firstLazy);
+        int[] groupStart = numberSlots(levels());
+        return withLinks(nodesOfSlots(), groupStart);
+    }
+
+    private boolean allTanh() {
+        for (NodeGene node : genotype.nodes()) {
+            if (node.activation() != ActivationFunction.TANH) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Follows forward links backwards from what is needed for a known purpose. */
+    private void findGroups() {
+        Arrays.fill(group, NO_GROUP);
+        ModuleLayout layout = genotype.layout();
+        for (int output = 0; output < layout.outputs(); output++) {
+            group[firstOutput + output] =
+                    layout.isPreference(output) ? Network.SHARED : Network.FIRST_MODULE + layout.moduleOf(output);
+        }
+        for (int target = nodes - 1; target >= inputs; target--) {
+            for (int link = incomingStart[target]; included[target] && link < incomingStart[target + 1]; link++) {
+                if (incomingSource[link] >= target) {
+                    group[incomingSource[link]] = Network.ALWAYS;
+                }
+            }
+        }
+        for (int target = nodes - 1; target >= inputs; target--) {
+            for (int link = incomingStart[target]; included[target] && link < incomingStart[target + 1]; link++) {
+                int source = incomingSource[link];
+                if (source < target) {
+                    group[source] = common(group[source], group[target]);
+                }
+            }
+        }
+    }
+
+    private static int common(int group, int other) {
+        if (group == other || group == NO_GROUP) {
+            return other;
+        }
+        return group == Network.ALWAYS || other == Network.ALWAYS ? Network.ALWAYS : Network.SHARED;
+    }
+
+    /**
+     * How far a sum can at most be from what it is if all neurons that are not always needed are computed roughly.
+     *
+     * <p>A sum's difference is what the differences of its addends make, times their weights, and the rounding of both sums;
+     * the tangent does not enlarge it, but has its own error.
+     */
+    private double largestDifference() {
+        double[] sumDifference = new double[nodes];
+        double largest = 0;
+        for (int target = inputs; target < nodes; target++) {
+            if (included[target] && group[target] != Network.ALWAYS) {
+                double weights = 0;
+                double difference = 0;
+                for (int link = incomingStart[target]; link < incomingStart[target + 1]; link++) {
+                    int source = incomingSource[link];
+                    double weight = Math.abs(incomingWeight[link]);
+                    weights += weight;
+                    if (source >= inputs && source < target && group[source] != Network.ALWAYS) {
+                        difference += weight * (sumDifference[source] + RoughTanh.LARGEST_ERROR);
+                    }
+                }
+                int addends = incomingStart[target + 1] - incomingStart[target] + 1;
+                sumDifference[target] = difference + 4 * addends * UNIT_ROUNDING * weights;
+                largest = Math.max(largest, sumDifference[target]);
+            }
+        }
+        return largest;
     }
 
     private int countActiveLinks() {
@@ -146,23 +234,29 @@ final class NetworkCompiler {
         return level;
     }
 
-    /** Gives out the slots: inputs, neurons by level and position, lazy outputs. Returns where the levels start. */
+    /**
+     * Gives out the slots: inputs; neurons by group, level and position; lazy outputs.
+     *
+     * @return the first slot of each group, and that of the lazy outputs
+     */
     private int[] numberSlots(int[] levelOfNode) {
-        int[] size = new int[nodes + 2];
-        int levels = 0;
+        int levels = 1 + Arrays.stream(levelOfNode).max().orElse(0);
+        int groups = Network.FIRST_MODULE + genotype.layout().modules();
+        int[] next = new int[groups * levels + 1];
         for (int i = inputs; i < nodes; i++) {
             if (included[i] && !isLazy(i)) {
-                size[levelOfNode[i]]++;
-                levels = Math.max(levels, levelOfNode[i]);
+                next[group[i] * levels + levelOfNode[i] + 1]++;
             }
         }
-        int[] levelStart = new int[levels + 1];
-        levelStart[0] = inputs;
-        for (int level = 1; level <= levels; level++) {
-            levelStart[level] = levelStart[level - 1] + size[level];
+        next[0] = inputs;
+        for (int i = 0; i < groups * levels; i++) {
+            next[i + 1] += next[i];
         }
-        int[] next = levelStart.clone();
-        int nextLazy = levelStart[levels];
+        int[] groupStart = new int[groups + 1];
+        for (int i = 0; i <= groups; i++) {
+            groupStart[i] = next[i * levels];
+        }
+        int nextLazy = groupStart[groups];
         for (int i = 0; i < nodes; i++) {
             if (i < inputs) {
                 slotOfNode[i] = i;
@@ -171,10 +265,10 @@ final class NetworkCompiler {
             } else if (isLazy(i)) {
                 slotOfNode[i] = nextLazy++;
             } else {
-                slotOfNode[i] = next[levelOfNode[i] - 1]++;
+                slotOfNode[i] = next[group[i] * levels + levelOfNode[i]]++;
             }
         }
-        return levelStart;
+        return groupStart;
     }
 
     private int[] nodesOfSlots() {
@@ -191,7 +285,7 @@ final class NetworkCompiler {
         return nodeOfSlot;
     }
 
-    private Network withLinks(int[] nodeOfSlot, int[] levelStart, int firstLazy) {
+    private Network withLinks(int[] nodeOfSlot, int[] groupStart) {
         int slots = nodeOfSlot.length;
         int recurrentLinks = 0;
         int recurrentTargets = 0;
@@ -237,8 +331,9 @@ final class NetworkCompiler {
         return new Network(
                 genotype,
                 slotOfNode,
-                firstLazy,
-                levelStart,
+                groupStart,
+                Arrays.copyOfRange(group, firstOutput, nodes),
+                margin,
                 forwardStart,
                 forwardSource,
                 forwardWeight,

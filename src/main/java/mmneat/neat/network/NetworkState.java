@@ -1,7 +1,6 @@
 package mmneat.neat.network;
 
 import java.util.Arrays;
-import mmneat.neat.ActivationFunction;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -14,16 +13,23 @@ import mmneat.random.ResumableRandom;
  */
 public final class NetworkState {
 
-    /** Sums that are further apart, and not both beyond {@link #STEEP} on one side, have different tanh. */
-    private static final double CLEAR_DIFFERENCE = 1e-9;
+    /** The answer of {@link #clearlyHighest}: too close. */
+    static final int UNCLEAR = -1;
 
-    private static final double STEEP = 5;
+    private static final int ROUGHLY = 0;
+    private static final int EXACTLY = 1;
 
     private final Network network;
-    /** Activation of each slot that is not lazy. */
+    /** Activation of each slot that is not lazy, as far as its group is computed. */
     final double[] activations;
     /** What recurrent links bring to each slot in this step, from the activations of the previous one. */
     final double[] carried;
+
+    /** Twice the number of the step in which each group was computed last, and one more if exactly. */
+    private final long[] computed;
+
+    /** Twice the number of steps so far. */
+    private long now;
 
     private final int[] moduleUsage;
     /** Sum or activation of each preference neuron while the module is chosen. */
@@ -40,6 +46,7 @@ public final class NetworkState {
         this.network = network;
         activations = new double[network.slots];
         carried = new double[network.slots];
+        computed = new long[network.groupStart.length - 1];
         moduleUsage = new int[network.modules()];
         preferences = new double[network.modules()];
         arbiter = arbitration.isPlain() ? null : new ModuleArbiter(network.layout, arbitration);
@@ -69,7 +76,7 @@ public final class NetworkState {
             // The pending sum of an input is 0; adding it turns -0 into 0.
             activations[i] = function(i, 0.0 + inputs[i]);
         }
-        propagate();
+        computeExactly(Network.SHARED);
         return chooseModule(random);
     }
 
@@ -82,7 +89,7 @@ public final class NetworkState {
      */
     public int activateFrom(double[] inputActivations, int offset, ResumableRandom random) {
         begin(inputActivations, offset);
-        propagate();
+        computeExactly(Network.SHARED);
         return chooseModule(random);
     }
 
@@ -155,7 +162,12 @@ public final class NetworkState {
 
     /** Activation of an output neuron, by output number, in the last step; 0 after a flush. */
     public double outputActivation(int output) {
-        return slotActivation(network.slotOfOutput[output]);
+        if (flushed) {
+            return 0;
+        }
+        computeExactly(network.groupOfOutput[output]);
+        int slot = network.slotOfOutput[output];
+        return isLazy(slot) ? function(slot, sum(slot)) : activations[slot];
     }
 
     /**
@@ -170,7 +182,13 @@ public final class NetworkState {
             throw new IllegalArgumentException(
                     "node " + position + " reaches no output and was left out; compileWithAllNodes keeps it");
         }
-        return slotActivation(slot);
+        if (isLazy(slot)) {
+            return outputActivation(position - network.firstOutput());
+        }
+        for (int group = 0; group < computed.length && !flushed; group++) {
+            computeExactly(group);
+        }
+        return activations[slot];
     }
 
     /** The module that was chosen in the last step; 0 before the first. */
@@ -189,22 +207,48 @@ public final class NetworkState {
         System.arraycopy(inputActivations, offset, activations, 0, network.inputs);
     }
 
-    /** Second part of a step: the activations of all neurons that are not lazy. */
-    void propagate() {
-        if (network.functions == null) {
-            for (int slot = network.inputs; slot < network.firstLazy; slot++) {
-                activations[slot] = Tanh.of(sum(slot));
+    /** Second part of a step: the exact activations of a group, and of those that it depends on. */
+    void computeExactly(int group) {
+        if (computed[group] != now + EXACTLY) {
+            if (group != Network.ALWAYS) {
+                computeExactly(group == Network.SHARED ? Network.ALWAYS : Network.SHARED);
             }
-        } else {
-            for (int slot = network.inputs; slot < network.firstLazy; slot++) {
-                activations[slot] = function(slot, sum(slot));
-            }
+            propagate(group, true);
+            computed[group] = now + EXACTLY;
         }
+    }
+
+    /** The same roughly, where the group is not computed yet. */
+    void computeRoughly(int group) {
+        if (computed[group] < now) {
+            if (group > Network.SHARED) {
+                computeRoughly(Network.SHARED);
+            }
+            propagate(group, false);
+            computed[group] = now + ROUGHLY;
+        }
+    }
+
+    /** Takes note that a group was computed from outside. */
+    void computedGroup(int group, boolean exactly) {
+        computed[group] = now + (exactly ? EXACTLY : ROUGHLY);
+    }
+
+    private void propagate(int group, boolean exactly) {
+        int end = network.groupStart[group + 1];
+        for (int slot = network.groupStart[group]; slot < end; slot++) {
+            activations[slot] = exactly ? function(slot, sum(slot)) : RoughTanh.of(sum(slot));
+        }
+    }
+
+    private boolean isLazy(int slot) {
+        return slot >= network.firstLazy;
     }
 
     /** Sums up what recurrent links bring, before the activations that they read are overwritten. */
     private void carry() {
         flushed = false;
+        now += 2;
         int[] targets = network.recurrentTarget;
         int[] start = network.recurrentStart;
         for (int i = 0; i < targets.length; i++) {
@@ -228,16 +272,10 @@ public final class NetworkState {
     }
 
     private double function(int slot, double sum) {
-        ActivationFunction function = network.functions == null ? ActivationFunction.TANH : network.functions[slot];
-        return Functions.of(function, sum);
+        return network.functions == null ? Tanh.of(sum) : Functions.of(network.functions[slot], sum);
     }
 
-    private double slotActivation(int slot) {
-        // What a lazy neuron reads stays as it was in the last step: nothing is computed after it.
-        return slot < network.firstLazy ? activations[slot] : flushed ? 0 : function(slot, sum(slot));
-    }
-
-    /** Last part of a step. */
+    /** Last part of a step, after at least what later steps need. */
     int chooseModule(ResumableRandom random) {
         lastModule = arbiter != null ? arbiter.choose(this, presetModule, random) : preferredModule(random);
         moduleUsage[lastModule]++;
@@ -249,8 +287,8 @@ public final class NetworkState {
             random.nextInt(1);
             return network.layout.standardMultitask() ? presetModule : 0;
         }
-        int clear = network.functions == null ? clearlyPreferredModule() : -1;
-        if (clear >= 0) {
+        int clear = clearlyPreferredModule();
+        if (clear != UNCLEAR) {
             random.nextInt(1);
             return clear;
         }
@@ -260,26 +298,58 @@ public final class NetworkState {
         return ModuleArbiter.highest(preferences, random);
     }
 
-    /*
-     * tanh rises, so the highest sum mostly tells the highest preference, and the tanh of preference neurons need not be
-     * computed. Rounding could make two preferences equal or swap them only if the sums are close together or both far
-     * out: for u > -5, l < 5 and u > l + 1e-9, tanh(u) - tanh(l) > 1e-9 (1 - tanh(5.1)^2) > 1e-13, which is some thousand
-     * times the error of our tanh.
-     */
     private int clearlyPreferredModule() {
-        int best = 0;
+        if (network.functions != null) {
+            return UNCLEAR;
+        }
+        computeRoughly(Network.SHARED);
         for (int module = 0; module < preferences.length; module++) {
             preferences[module] = sum(network.slotOfOutput[network.layout.preferenceOutput(module)]);
-            best = preferences[module] > preferences[best] ? module : best;
         }
-        double highest = preferences[best];
-        for (int module = 0; module < preferences.length; module++) {
-            double other = preferences[module];
-            boolean clear = highest - other > CLEAR_DIFFERENCE && highest > -STEEP && other < STEEP;
-            if (!clear && module != best) {
-                return -1;
+        return clearlyHighest(preferences, preferences.length, network.margin);
+    }
+
+    /** The sum of a policy neuron of the chosen module, up to the network's margin; modules are chosen and answer plainly. */
+    double roughAnswerSum(int neuron) {
+        int output = network.layout.policyOutput(lastModule, neuron);
+        computeRoughly(network.groupOfOutput[output]);
+        return sum(network.slotOfOutput[output]);
+    }
+
+    /** Whether the answer can be told from a sum: a chosen module's neuron, its function tanh. */
+    boolean answersBySum() {
+        return network.functions == null && (arbiter == null || !arbiter.averages());
+    }
+
+    /**
+     * The index of the sum with the highest tanh, as far as it is clear.
+     *
+     * @param count number of sums
+     * @param margin how far each may be from the exact sum
+     * @return {@link #UNCLEAR} if two could have the same tanh, or the highest is near -1
+     */
+    static int clearlyHighest(double[] sums, int count, double margin) {
+        /*
+         * tanh rises, so the highest sum mostly tells the highest activation. Rounding, by less than 2 units in the last place or 2.3e-16
+         * of our tanh, could make two activations equal or swap them only if the sums are close together or both far out:
+         * for u > l + d, u > -b and l < b (d at most 1), tanh(u) - tanh(l) is more than d (1 - tanh(b + 1)^2), which is
+         *
+         *   d = 1e-9, b = 5     2e-14
+         *   d = 1e-2, b = 13    3e-14.
+         */
+        int best = 0;
+        for (int i = 1; i < count; i++) {
+            best = sums[i] > sums[best] ? i : best;
+        }
+        double highest = sums[best];
+        for (int i = 0; i < count; i++) {
+            double difference = highest - sums[i] - 2 * margin;
+            boolean clear = difference > 1e-9 && highest > -5 && sums[i] < 5
+                    || difference > 1e-2 && highest > -13 && sums[i] < 13;
+            if (!clear && i != best) {
+                return UNCLEAR;
             }
         }
-        return best;
+        return highest > -13 ? best : UNCLEAR;
     }
 }

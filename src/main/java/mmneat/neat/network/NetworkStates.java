@@ -23,6 +23,8 @@ public final class NetworkStates {
     private final NetworkState[] states;
     /** The states of the present step, in order. */
     private final NetworkState[] active;
+    /** Sums of answers that are compared. */
+    private final double[] answers;
 
     NetworkStates(Network network, int count, ModuleArbitration arbitration) {
         if (count < 1 || count > MOST) {
@@ -31,6 +33,7 @@ public final class NetworkStates {
         this.network = network;
         states = new NetworkState[count];
         active = new NetworkState[count];
+        answers = new double[count];
         for (int i = 0; i < count; i++) {
             states[i] = new NetworkState(network, arbitration);
         }
@@ -93,10 +96,49 @@ public final class NetworkStates {
     }
 
     private void finish(int count, ResumableRandom random) {
-        propagate(count);
+        if (network.functions == null) {
+            propagate(count, Network.ALWAYS, true);
+            propagate(count, Network.SHARED, false);
+        }
         for (int i = 0; i < count; i++) {
+            active[i].computeExactly(Network.ALWAYS);
             active[i].chooseModule(random);
         }
+    }
+
+    /**
+     * Which of the states that made the last step have the highest answer, where that can be told without computing the
+     * answers to the last bit.
+     *
+     * @param which the same as in the last step
+     * @param neuron number of the policy neuron that answers
+     * @return the state whose {@link NetworkState#policyOutput} is higher than those of all others and than -1, or -1 if
+     *     that takes a closer look
+     */
+    public int clearlyHighest(int which, int neuron) {
+        requireStates(which);
+        int count = 0;
+        for (int i = 0; i < states.length; i++) {
+            if ((which >>> i & 1) != 0) {
+                active[count++] = states[i];
+            }
+        }
+        if (count == 0 || !active[0].answersBySum()) {
+            return NetworkState.UNCLEAR;
+        }
+        for (int i = 0; i < count; i++) {
+            answers[i] = active[i].roughAnswerSum(neuron);
+        }
+        int highest = NetworkState.clearlyHighest(answers, count, network.margin);
+        return highest == NetworkState.UNCLEAR ? highest : indexOf(active[highest]);
+    }
+
+    private int indexOf(NetworkState state) {
+        int index = 0;
+        while (states[index] != state) {
+            index++;
+        }
+        return index;
     }
 
     /** {@link NetworkState#presetModule} of every state. */
@@ -120,30 +162,30 @@ public final class NetworkStates {
         }
     }
 
-    private void propagate(int count) {
-        if (network.functions != null) {
-            for (int i = 0; i < count; i++) {
-                active[i].propagate();
-            }
-        } else if (count == 3) {
-            propagate(active[0], active[1], active[2]);
-        } else {
-            for (int i = 0; i + 1 < count; i += 2) {
-                propagate(active[i], active[i + 1]);
-            }
-            if ((count & 1) != 0) {
-                active[count - 1].propagate();
-            }
+    /** Computes a group for states two or three at a time; one that is left over is left alone. */
+    private void propagate(int count, int group, boolean exactly) {
+        int from = network.groupStart[group];
+        int to = network.groupStart[group + 1];
+        int done = 0;
+        if (count == 3) {
+            propagate(active[0], active[1], active[2], from, to, exactly);
+            done = 3;
+        }
+        for (; done + 1 < count; done += 2) {
+            propagate(active[done], active[done + 1], from, to, exactly);
+        }
+        for (int i = 0; i < done; i++) {
+            active[i].computedGroup(group, exactly);
         }
     }
 
-    private void propagate(NetworkState a, NetworkState b) {
+    private void propagate(NetworkState a, NetworkState b, int from, int to, boolean exactly) {
         double[] activationsA = a.activations;
         double[] activationsB = b.activations;
         int[] start = network.forwardStart;
         int[] sources = network.forwardSource;
         double[] weights = network.forwardWeight;
-        for (int slot = network.inputs; slot < network.firstLazy; slot++) {
+        for (int slot = from; slot < to; slot++) {
             double sumA = a.carried[slot];
             double sumB = b.carried[slot];
             int end = start[slot + 1];
@@ -153,19 +195,19 @@ public final class NetworkStates {
                 sumA += activationsA[source] * weight;
                 sumB += activationsB[source] * weight;
             }
-            activationsA[slot] = Tanh.of(sumA);
-            activationsB[slot] = Tanh.of(sumB);
+            activationsA[slot] = exactly ? Tanh.of(sumA) : RoughTanh.of(sumA);
+            activationsB[slot] = exactly ? Tanh.of(sumB) : RoughTanh.of(sumB);
         }
     }
 
-    private void propagate(NetworkState a, NetworkState b, NetworkState c) {
+    private void propagate(NetworkState a, NetworkState b, NetworkState c, int from, int to, boolean exactly) {
         double[] activationsA = a.activations;
         double[] activationsB = b.activations;
         double[] activationsC = c.activations;
         int[] start = network.forwardStart;
         int[] sources = network.forwardSource;
         double[] weights = network.forwardWeight;
-        for (int slot = network.inputs; slot < network.firstLazy; slot++) {
+        for (int slot = from; slot < to; slot++) {
             double sumA = a.carried[slot];
             double sumB = b.carried[slot];
             double sumC = c.carried[slot];
@@ -177,9 +219,9 @@ public final class NetworkStates {
                 sumB += activationsB[source] * weight;
                 sumC += activationsC[source] * weight;
             }
-            activationsA[slot] = Tanh.of(sumA);
-            activationsB[slot] = Tanh.of(sumB);
-            activationsC[slot] = Tanh.of(sumC);
+            activationsA[slot] = exactly ? Tanh.of(sumA) : RoughTanh.of(sumA);
+            activationsB[slot] = exactly ? Tanh.of(sumB) : RoughTanh.of(sumB);
+            activationsC[slot] = exactly ? Tanh.of(sumC) : RoughTanh.of(sumC);
         }
     }
 }
