@@ -52,6 +52,9 @@ final class PathTables {
     /** Corridor and position of each node, packed as in a way; junctions have corridor 0xFFE, which no way has. */
     private final int[] places;
 
+    /** Whether a neighbour of a node is a junction. */
+    private final boolean[] besideJunction;
+
     /** Way of going on from node v in direction d, at index 4 v + d. */
     private final long[] leaving;
 
@@ -106,6 +109,14 @@ final class PathTables {
             places[v] = corridors.corridorOf(v) == NONE
                     ? (NO_CORRIDOR - 1) << 16
                     : corridors.corridorOf(v) << 16 | corridors.positionOf(v);
+        }
+        besideJunction = new boolean[nodes];
+        for (int j = 0; j < junctions; j++) {
+            for (int d = 0; d < 4; d++) {
+                if (isOpen(graph.junctionNode(j), d)) {
+                    besideJunction[graph.neighbour(graph.junctionNode(j), d)] = true;
+                }
+            }
         }
         leaving = waysOut();
         continuing = waysOn();
@@ -288,7 +299,16 @@ final class PathTables {
      * @return a number below 0 if the target is not in that corridor or lies behind
      */
     int ahead(long way, int target) {
-        int place = places[target];
+        return aheadOfPlace(way, places[target]);
+    }
+
+    /** A node's corridor and position, for {@link #aheadOfPlace}. */
+    int place(int node) {
+        return places[node];
+    }
+
+    /** {@link #ahead} for a target whose place is known. */
+    static int aheadOfPlace(long way, int place) {
         return place >> 16 == corridor(way) ? ((place & 0xFFFF) - start(way)) * sign(way) : -1;
     }
 
@@ -361,25 +381,35 @@ final class PathTables {
     // ---- What lies on a path ----
 
     /**
-     * Which neighbours of a target the path along a way to it enters, as bits 0 to 3 for the directions from the target.
+     * Length of the path along a way to a target, and which neighbours of the target it enters: {@link #lengthOf} and
+     * {@link #neighboursOf} take the answer apart.
      *
      * @param way of somebody who reaches a target at its start by no step
      */
-    int neighboursPassed(long way, int target) {
+    int approach(long way, int target) {
         int ahead = ahead(way, target);
-        if (ahead == 0) {
-            return 0;
-        }
-        if (ahead > 0) {
-            return ahead == 1 ? 0 : neighbourBit(target, corridorNode(way, ahead - 1));
+        if (ahead >= 0) {
+            return ahead < 2 ? ahead : ahead | neighbourBit(target, corridorNode(way, ahead - 1)) << LENGTH_BITS;
         }
         int steps = steps(way);
+        int entry = rows[row(way) * nodes + target];
         int junction = junction(way);
         if (target == junction) {
-            return steps < 2 ? 0 : neighbourBit(target, corridorNode(way, steps - 1));
+            return steps < 2 ? steps : steps | neighbourBit(target, corridorNode(way, steps - 1)) << LENGTH_BITS;
         }
-        int passed = rows[row(way) * nodes + target] >> LENGTH_BITS;
-        return steps == 0 ? passed : passed | neighbourBit(target, junction);
+        return steps == 0 || !besideJunction[target]
+                ? entry + steps
+                : entry + steps | neighbourBit(target, junction) << LENGTH_BITS;
+    }
+
+    /** The length in an answer of {@link #approach}. */
+    static int lengthOf(int approach) {
+        return approach & LENGTH_MASK;
+    }
+
+    /** The neighbours in an answer of {@link #approach}: bits 0 to 3 for the directions from the target. */
+    static int neighboursOf(int approach) {
+        return approach >> LENGTH_BITS;
     }
 
     private int neighbourBit(int node, int neighbour) {

@@ -131,7 +131,7 @@ final class SafetyTest {
     }
 
     private boolean stopsWhileEdible(int ghost, int edibleTime) {
-        if (steps <= harmlessSteps(ghost)) {
+        if (steps <= situation.harmlessSteps(ghost)) {
             return false;
         }
         int node = situation.ghostNode(ghost);

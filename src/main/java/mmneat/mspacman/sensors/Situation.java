@@ -21,6 +21,9 @@ public final class Situation {
     /** Number of ghosts. */
     public static final int GHOSTS = 4;
 
+    /** Distance less one, in a key for sorting, of what is at no distance. */
+    private static final int FARTHEST = (1 << 28) - 1;
+
     private Game game;
     private SensorTables tables;
     private PathTables paths;
@@ -28,6 +31,9 @@ public final class Situation {
     // The state.
     private int mazeIndex;
     private int node;
+    /** Open directions from her node, as bits. */
+    private int open;
+
     private final int[] ghostNode = new int[GHOSTS];
     private final int[] edibleTime = new int[GHOSTS];
     private final int[] lairTime = new int[GHOSTS];
@@ -38,7 +44,10 @@ public final class Situation {
 
     // What follows from the state.
     private final long[] ghostWay = new long[GHOSTS];
+    private final int[] ghostPlace = new int[GHOSTS];
     private final int[] ghostPathLength = new int[GHOSTS];
+    /** Per ghost, the number of steps in which it cannot stop her. */
+    private final int[] harmless = new int[GHOSTS];
 
     private final int[] neighboursPassed = new int[GHOSTS];
     private int highestEdibleTime;
@@ -55,7 +64,9 @@ public final class Situation {
     /** Steps to each ghost that is in the corridor ahead, 0 for one on her node in a straight corridor; else below 0. */
     private final int[] stepsAhead = new int[GHOSTS];
 
-    private final int[] ghostOrder = new int[GHOSTS];
+    /** Distance and number of each ghost outside the lair, nearest first. */
+    private final int[] orderKeys = new int[GHOSTS];
+
     private int ghostsOutside;
 
     /** In each row's order of pills the first that may be active: pills do not come back within a level. */
@@ -104,6 +115,7 @@ public final class Situation {
     /** Sets Ms. Pac-Man's node. */
     void placePacMan(int pacManNode) {
         node = pacManNode;
+        open = tables.openDirections[pacManNode];
     }
 
     /**
@@ -154,10 +166,13 @@ public final class Situation {
                 threats++;
             }
             if (isOutside(ghost)) {
-                ghostPathLength[ghost] = paths.length(ghostWay[ghost], 0, node);
-                neighboursPassed[ghost] = paths.neighboursPassed(ghostWay[ghost], node);
+                int approach = paths.approach(ghostWay[ghost], node);
+                ghostPathLength[ghost] = PathTables.lengthOf(approach);
+                neighboursPassed[ghost] = PathTables.neighboursOf(approach);
+                ghostPlace[ghost] = paths.place(ghostNode[ghost]);
             }
-            harmlessSteps = Math.min(harmlessSteps, safety.harmlessSteps(ghost));
+            harmless[ghost] = safety.harmlessSteps(ghost);
+            harmlessSteps = Math.min(harmlessSteps, harmless[ghost]);
         }
     }
 
@@ -165,28 +180,39 @@ public final class Situation {
     public void face(int newDirection) {
         direction = newDirection;
         way = paths.leaving(node, newDirection);
-        boolean corridorAhead = !isOpen((newDirection + 1) & 3) && !isOpen((newDirection + 3) & 3);
-        least = corridorAhead ? 0 : 1;
+        int sideways = 0b1010 >> (newDirection & 1) & 0b1111;
+        least = (open & sideways) == 0 ? 0 : 1;
         ghostsOutside = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
+            orderKeys[ghost] = Integer.MAX_VALUE;
             if (isOutside(ghost)) {
-                int ahead = paths.ahead(way, ghostNode[ghost]);
+                int ahead = PathTables.aheadOfPlace(way, ghostPlace[ghost]);
+                int distance = ahead >= least ? ahead : paths.lengthBeyond(way, ghostNode[ghost]);
                 stepsAhead[ghost] = ahead;
-                ghostDistance[ghost] = ahead >= least ? ahead : paths.lengthBeyond(way, ghostNode[ghost]);
-                insertIntoOrder(ghost);
+                ghostDistance[ghost] = distance;
+                orderKeys[ghost] = (distance - 1 & FARTHEST) << 2 | ghost;
+                ghostsOutside++;
             }
         }
+        order();
     }
 
-    /** By distance, where no distance counts as larger than any; ghosts at the same distance in the order of their numbers. */
-    private void insertIntoOrder(int ghost) {
-        int at = ghostsOutside++;
-        int key = ghostDistance[ghost] - 1 & Integer.MAX_VALUE;
-        while (at > 0 && (ghostDistance[ghostOrder[at - 1]] - 1 & Integer.MAX_VALUE) > key) {
-            ghostOrder[at] = ghostOrder[at - 1];
-            at--;
-        }
-        ghostOrder[at] = ghost;
+    /*
+     * By distance, where no distance counts as larger than any; ghosts at the same distance in the order of their numbers, those
+     * in the lair last. Five comparisons sort four keys; as minimum and maximum they need no branches, which nobody could
+     * predict.
+     */
+    private void order() {
+        int a = Math.min(orderKeys[0], orderKeys[1]);
+        int b = Math.max(orderKeys[0], orderKeys[1]);
+        int c = Math.min(orderKeys[2], orderKeys[3]);
+        int d = Math.max(orderKeys[2], orderKeys[3]);
+        int inner = Math.max(a, c);
+        int other = Math.min(b, d);
+        orderKeys[0] = Math.min(a, c);
+        orderKeys[1] = Math.min(inner, other);
+        orderKeys[2] = Math.max(inner, other);
+        orderKeys[3] = Math.max(b, d);
     }
 
     // ---- For the safety test ----
@@ -218,6 +244,11 @@ public final class Situation {
     /** Number of steps in which no ghost can stop Ms. Pac-Man, wherever she goes; below 0 if there is a threat. */
     int harmlessSteps() {
         return harmlessSteps;
+    }
+
+    /** The same for one ghost. */
+    int harmlessSteps(int ghost) {
+        return harmless[ghost];
     }
 
     /** Steps of a ghost's own path to Ms. Pac-Man. */
@@ -254,7 +285,7 @@ public final class Situation {
 
     /** Whether a corridor leads from Ms. Pac-Man in a direction. */
     public boolean isOpen(int inDirection) {
-        return tables.graph.neighbour(node, inDirection) != CorridorPositions.NONE;
+        return (open >> inDirection & 1) != 0;
     }
 
     /** Whether Ms. Pac-Man is where three or more corridors meet. */
@@ -412,7 +443,7 @@ public final class Situation {
      * @return its number, or -1 if there are no more than n
      */
     public int nthNearestGhost(int n) {
-        return n < ghostsOutside ? ghostOrder[n] : -1;
+        return n < ghostsOutside ? orderKeys[n] & 3 : -1;
     }
 
     /** Steps in this direction to a ghost outside the lair. */
