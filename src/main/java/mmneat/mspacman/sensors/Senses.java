@@ -2,6 +2,7 @@ package mmneat.mspacman.sensors;
 
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
+import mmneat.neat.network.Tanh;
 import pacman.game.Game;
 import pacman.game.internal.MazeTables;
 
@@ -95,7 +96,7 @@ public final class Senses {
             // These change seldom, so their tangents are kept.
             if (value != inputs[i]) {
                 inputs[i] = value;
-                double tangent = StrictMath.tanh(value);
+                double tangent = Tanh.of(value);
                 for (int d = 0; d < DIRECTIONS; d++) {
                     activations[d * sensors.length + i] = tangent;
                 }
@@ -126,7 +127,7 @@ public final class Senses {
         for (int i : single) {
             activations[row + i] = tangents[i] != null
                     ? tangents[i][((GradedSensor) sensors[i]).grade(situation)]
-                    : StrictMath.tanh(sensors[i].sense(situation));
+                    : Tanh.of(sensors[i].sense(situation));
         }
     }
 

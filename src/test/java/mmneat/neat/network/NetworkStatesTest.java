@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 import mmneat.neat.Genotype;
+import mmneat.neat.LinkGene;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -86,6 +88,104 @@ class NetworkStatesTest {
                 assertThat(actual.nodeActivation(i)).isEqualTo(expected.nodeActivation(i));
             }
         }
+    }
+
+    @Test
+    void clearlyHighestAnswer_isTheHighestToTheLastBit_andMostlyFound() {
+        int steps = 0;
+        int clear = 0;
+        for (int i = 0; i < GENOTYPES; i++) {
+            Genotype genotype = i % 4 == 0 ? withLargeWeights(NetworkStateTest.randomGenotype(random)) : sample(i);
+            NetworkStates together = Network.compile(genotype).newStates(STATES);
+            ResumableRandom draws = new ResumableRandom(6);
+            int stride = genotype.inputs();
+            for (int step = 0; step < STEPS; step++) {
+                double[] inputs = random.doubles(STATES * stride, -0.7, 0.7).toArray();
+                if (step % 7 == 0) {
+                    // Two states see the same and answer the same as long as they did before.
+                    System.arraycopy(inputs, 0, inputs, stride, stride);
+                }
+                int which = 1 + random.nextInt((1 << STATES) - 1);
+                together.activate(which, inputs, stride, draws);
+                int found = together.clearlyHighest(which, 0);
+                steps++;
+                if (found >= 0) {
+                    clear++;
+                    assertThat(which >>> found & 1).isOne();
+                    double highest = together.get(found).policyOutput(0);
+                    assertThat(highest).isGreaterThan(-1);
+                    for (int other = 0; other < STATES; other++) {
+                        if ((which >>> other & 1) != 0 && other != found) {
+                            assertThat(together.get(other).policyOutput(0)).isLessThan(highest);
+                        }
+                    }
+                }
+            }
+        }
+        assertThat(clear).isGreaterThan(steps / 2);
+    }
+
+    private Genotype sample(int i) {
+        return i % 4 == 1 ? SampleGenotypes.champion(random) : SampleGenotypes.young(random);
+    }
+
+    /** Saturated neurons, whose activations differ in the last bits or not at all. */
+    private Genotype withLargeWeights(Genotype genotype) {
+        List<LinkGene> links = genotype.links().stream()
+                .map(link -> new LinkGene(
+                        link.innovation(),
+                        link.source(),
+                        link.target(),
+                        link.weight() * Math.scalb(1.0, random.nextInt(12)),
+                        link.active(),
+                        link.recurrent(),
+                        link.frozen()))
+                .toList();
+        return new Genotype(0, genotype.inputs(), genotype.layout(), genotype.nodes(), links, genotype.moduleUsage());
+    }
+
+    @Test
+    void roughSums_areWithinTheMargin_ofTheExactOnes() {
+        int rough = 0;
+        for (int i = 0; i < GENOTYPES; i++) {
+            Genotype genotype = i % 2 == 0 ? sample(i / 2) : NetworkStateTest.randomGenotype(random);
+            Network network = Network.compile(genotype);
+            NetworkStates together = network.newStates(2);
+            ResumableRandom draws = new ResumableRandom(7);
+            for (int step = 0; step < STEPS; step++) {
+                together.activate(
+                        3, random.doubles(2L * genotype.inputs(), -0.7, 0.7).toArray(), genotype.inputs(), draws);
+                NetworkState state = together.get(step % 2);
+                if (network.functions == null) {
+                    double roughSum = state.roughAnswerSum(0);
+                    state.policyOutput(0);
+                    double difference = Math.abs(state.roughAnswerSum(0) - roughSum);
+                    assertThat(difference).isLessThanOrEqualTo(network.margin);
+                    rough += difference > 0 ? 1 : 0;
+                }
+            }
+        }
+        assertThat(rough).as("sums that were rough").isGreaterThan(1000);
+    }
+
+    @Test
+    void sums_areClearOnlyIfTheirTangentsDiffer() {
+        for (int i = 0; i < 1_000_000; i++) {
+            double first = random.nextDouble(-20, 20);
+            double second = first + random.nextDouble(-1, 1) * Math.scalb(1.0, -random.nextInt(50));
+            int highest = NetworkState.clearlyHighest(new double[] {first, second}, 2, 0);
+            if (highest >= 0) {
+                double difference = StrictMath.tanh(first) - StrictMath.tanh(second);
+                if (!(highest == 0 ? difference > 0 : difference < 0)) {
+                    assertThat(highest).as("of %s and %s", first, second).isEqualTo(NetworkState.UNCLEAR);
+                }
+            }
+        }
+        assertThat(NetworkState.clearlyHighest(new double[] {1, 0.5}, 2, 0.2)).isZero();
+        assertThat(NetworkState.clearlyHighest(new double[] {1, 0.5}, 2, 0.3)).isEqualTo(NetworkState.UNCLEAR);
+        assertThat(NetworkState.clearlyHighest(new double[] {1, Double.NaN}, 2, 0))
+                .isEqualTo(NetworkState.UNCLEAR);
+        assertThat(NetworkState.clearlyHighest(new double[] {-14, -15}, 2, 0)).isEqualTo(NetworkState.UNCLEAR);
     }
 
     @Test
