@@ -49,9 +49,9 @@ final class MainJob implements Callable<Integer> {
         Experiment experiment = new Experiment(plan);
         boolean quiet = read.parameters().flag("quiet");
 
-        Thread interruption = new Thread(() -> halt(experiment), "interruption");
-        Runtime.getRuntime().addShutdownHook(interruption);
         Progress progress = Progress.start(quiet, out, plan, experiment.monitors());
+        Thread interruption = new Thread(() -> halt(experiment, progress), "interruption");
+        Runtime.getRuntime().addShutdownHook(interruption);
         List<RunOutcome> outcomes;
         try {
             outcomes = experiment.run();
@@ -91,7 +91,8 @@ final class MainJob implements Callable<Integer> {
     }
 
     /** Runs when the process is told to end: Ctrl-C, SIGTERM. */
-    private void halt(Experiment experiment) {
+    private void halt(Experiment experiment, Progress progress) {
+        progress.close();
         boolean finished;
         try {
             finished = experiment.halt(LAST_WRITES);

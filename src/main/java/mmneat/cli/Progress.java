@@ -28,6 +28,11 @@ final class Progress {
 
     private static final String UP_AND_CLEAR = "\u001b[1A\u001b[2K";
 
+    /** A line that is longer than the terminal is wide must not go on in the next: it could not be taken back line by line. */
+    private static final String WITHOUT_WRAPPING = "\u001b[?7l";
+
+    private static final String WRAPPING_AGAIN = "\u001b[?7h";
+
     private final PrintWriter out;
     private final List<RunMonitor> monitors;
     private final boolean isTerminal;
@@ -40,6 +45,7 @@ final class Progress {
 
     private double portionAtStart = Double.NaN;
     private int linesOnTerminal;
+    private boolean isClosed;
 
     private Progress(PrintWriter out, List<RunMonitor> monitors, boolean isTerminal) {
         this.out = out;
@@ -82,10 +88,14 @@ final class Progress {
                 TimeUnit.MILLISECONDS);
     }
 
-    private void redraw() {
+    private synchronized void redraw() {
+        if (isClosed) {
+            return;
+        }
         List<String> lines = lines();
-        out.print(UP_AND_CLEAR.repeat(linesOnTerminal));
+        out.print(UP_AND_CLEAR.repeat(linesOnTerminal) + WITHOUT_WRAPPING);
         lines.forEach(out::println);
+        out.print(WRAPPING_AGAIN);
         out.flush();
         linesOnTerminal = lines.size();
     }
@@ -120,9 +130,10 @@ final class Progress {
         String scores = Double.isNaN(now.best())
                 ? "first generation"
                 : "best " + Texts.score(now.best()) + ", median " + Texts.score(now.median());
-        return "run " + number + ": generation " + now.generation() + " of " + now.generations() + ", " + scores + ", "
-                + Texts.rate(now.stepsPerSecond())
-                + (now.timeLeft() == null ? "" : ", " + Texts.duration(now.timeLeft()) + " left");
+        // What may not fit into 80 columns stands last.
+        return "run " + number + ": generation " + now.generation() + "/" + now.generations() + ", " + scores + ", "
+                + (now.timeLeft() == null ? "" : Texts.duration(now.timeLeft()) + " left, ")
+                + Texts.rate(now.stepsPerSecond());
     }
 
     private String timeLeft(double portion) {
@@ -140,8 +151,12 @@ final class Progress {
                 + " left";
     }
 
-    /** Stops showing progress. */
-    void close() {
+    /** Stops showing progress; nothing is taken back on the terminal afterwards. */
+    synchronized void close() {
+        if (isClosed) {
+            return;
+        }
+        isClosed = true;
         clock.shutdownNow();
         out.print(UP_AND_CLEAR.repeat(linesOnTerminal));
         out.flush();

@@ -38,8 +38,8 @@ final class ResultTable {
             int generations = plan.parameters().integer("maxGens");
             if (generations > 0) {
                 // The final parents are scored, but as in the original the champion is chosen in the generation before.
-                out.println("champion.json in a folder is the best parent of generation " + (generations - 1)
-                        + ", the last that had children; its score was that generation's.");
+                out.println("champion.json: the best parent of generation " + (generations - 1)
+                        + ", the last that had children");
             }
         }
         long before = outcomes.stream()

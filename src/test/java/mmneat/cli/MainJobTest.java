@@ -43,7 +43,7 @@ class MainJobTest {
                 .contains("XorTask-1M: 2 runs in " + folder.resolve("xor"))
                 .containsPattern("run +best +median +folder")
                 .contains(folder.resolve("xor").resolve("1M1").toString())
-                .contains("champion.json in a folder is the best parent of generation 1,")
+                .contains("champion.json: the best parent of generation 1,")
                 .contains("mmneat.jar network " + folder.resolve("xor"))
                 .doesNotContain("\u001b");
         assertThat(folder.resolve("xor/XorTask-1M_learning-curve.svg"))
