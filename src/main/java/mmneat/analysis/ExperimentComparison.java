@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.PublishedResults;
+import mmneat.analysis.results.RunResult;
 import mmneat.analysis.statistics.ComparisonReport;
 import mmneat.analysis.statistics.Sample;
 import mmneat.experiment.UserError;
@@ -40,6 +41,7 @@ public record ExperimentComparison(boolean evaluated, ComparisonReport report, L
     public static ExperimentComparison of(List<Experiment> experiments, Scores scores, boolean paper) {
         List<String> notes = new ArrayList<>();
         boolean evaluated = chooseEvaluated(experiments, scores, notes);
+        noteUnfinished(experiments, notes);
         List<Sample> samples = experiments.stream()
                 .map(e -> new Sample(e.label(), e.championScores(evaluated)))
                 .toList();
@@ -74,6 +76,20 @@ public record ExperimentComparison(boolean evaluated, ComparisonReport report, L
         notes.add("Scores are the champions' of the last generation, the best of few games and so too high: not every"
                 + " champion of " + String.join(", ", missing) + " was evaluated. Run evaluate for 1,000 games each.");
         return false;
+    }
+
+    /** Champions of runs that are still going on, or were stopped, are compared as they are; the reader must know. */
+    private static void noteUnfinished(List<Experiment> experiments, List<String> notes) {
+        for (Experiment experiment : experiments) {
+            List<RunResult> unfinished =
+                    experiment.runs().stream().filter(RunResult::isUnfinished).toList();
+            if (!unfinished.isEmpty()) {
+                notes.add(unfinished.size() + " of the " + experiment.runs().size() + " runs of " + experiment.label()
+                        + " are not finished (run " + unfinished.get(0).number() + " is in generation "
+                        + unfinished.get(0).generations() + " of "
+                        + unfinished.get(0).parameters().get("maxGens") + ").");
+            }
+        }
     }
 
     private static List<Sample> published(List<Experiment> experiments) {

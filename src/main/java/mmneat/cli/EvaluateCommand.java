@@ -59,7 +59,10 @@ final class EvaluateCommand implements Runnable, WordCommand {
     public List<Word> knownWords() {
         return List.of(
                 ChosenChampion.WORD,
-                new Word("games", "1000", "games per champion (default 1000)"),
+                new Word(
+                        "games",
+                        "1000",
+                        "games per champion (default 1000); where more were played already, all of them count"),
                 new Word(
                         "rules",
                         String.join("|", Rules.labels()),
@@ -140,24 +143,25 @@ final class EvaluateCommand implements Runnable, WordCommand {
         });
         clock.scheduleAtFixedRate(
                 () -> {
-                    long played = evaluator.played();
-                    double perSecond = played / ((System.nanoTime() - start) * 1e-9);
-                    notes.printf(
-                            Locale.ROOT,
-                            "evaluate: %,d of %,d games, %.1f games/s, %s%n",
-                            played,
-                            all,
-                            perSecond,
-                            played == 0
-                                    ? "time left not known yet"
-                                    : "about " + Texts.duration(Duration.ofSeconds((long) ((all - played) / perSecond)))
-                                            + " left");
+                    notes.println(progressLine(evaluator, all, System.nanoTime() - start));
                     notes.flush();
                 },
                 PROGRESS_SECONDS,
                 PROGRESS_SECONDS,
                 TimeUnit.SECONDS);
         return clock;
+    }
+
+    private static String progressLine(ChampionEvaluator evaluator, long all, long nanoseconds) {
+        long played = evaluator.played();
+        long done = evaluator.found() + played;
+        String line = String.format(Locale.ROOT, "evaluate: %,d of %,d games", done, all);
+        if (played == 0) {
+            return line;
+        }
+        double perSecond = played / (nanoseconds * 1e-9);
+        Duration left = Duration.ofMillis((long) (1000 * (all - done) / perSecond));
+        return line + String.format(Locale.ROOT, ", %.1f games/s, about %s left", perSecond, Texts.duration(left));
     }
 
     private void print(List<ChampionEvaluator.Entry> entries, List<ChampionEvaluation> evaluations) {

@@ -38,11 +38,12 @@ public final class ChampionEvaluator implements AutoCloseable {
     private final long seed;
     private final ExecutorService threads;
     private final AtomicLong played = new AtomicLong();
+    private final AtomicLong found = new AtomicLong();
 
     /**
      * An evaluator.
      *
-     * @param games games per champion, at least 1
+     * @param games games per champion, at least 1; where more were played already, all of them count
      * @param threads games that are played at the same time
      */
     public ChampionEvaluator(Rules rules, int games, long seed, int threads) {
@@ -54,6 +55,11 @@ public final class ChampionEvaluator implements AutoCloseable {
             thread.setDaemon(true);
             return thread;
         });
+    }
+
+    /** Games that an earlier evaluation left and that need not be played again. */
+    public long found() {
+        return found.get();
     }
 
     /** Games played so far by this evaluator, by all threads; those found on disk are not counted. */
@@ -76,8 +82,9 @@ public final class ChampionEvaluator implements AutoCloseable {
             table = place.resolve(prefix + EvaluationFiles.games(rules.label()));
             summary = place.resolve(prefix + EvaluationFiles.summary(rules.label()));
             file = new EvaluationFile(table);
-            long[] seeds = seeds();
-            results = new ArrayList<>(file.begin(title(champion, settings), seeds));
+            long[] seeds = seeds(games);
+            results = new ArrayList<>(file.begin(title(champion, settings), ChampionEvaluator.this::seeds));
+            found.addAndGet(Math.min(games, results.size()));
             for (int first = results.size(); first < games; first += BLOCK) {
                 int from = first;
                 int to = Math.min(games, first + BLOCK);
@@ -131,10 +138,10 @@ public final class ChampionEvaluator implements AutoCloseable {
         return results;
     }
 
-    private long[] seeds() {
+    private long[] seeds(int count) {
         ResumableRandom random = new ResumableRandom(seed);
-        long[] seeds = new long[games];
-        for (int game = 0; game < games; game++) {
+        long[] seeds = new long[count];
+        for (int game = 0; game < count; game++) {
             seeds[game] = random.nextLong();
         }
         return seeds;

@@ -8,6 +8,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntFunction;
 import mmneat.experiment.UserError;
 
 /**
@@ -26,10 +27,10 @@ final class EvaluationFile {
      * The games that are there already, if they are of this evaluation; else the file is begun anew. A last line that was cut
      * off is dropped.
      *
-     * @param seeds of all games of the evaluation
+     * @param seeds gives the seeds of the first games of the evaluation, as many as are asked for
      * @param title first line, names what is evaluated
      */
-    List<GameResult> begin(String title, long[] seeds) {
+    List<GameResult> begin(String title, IntFunction<long[]> seeds) {
         List<GameResult> games = readable(title, seeds);
         StringBuilder text =
                 new StringBuilder(title).append('\n').append(GameResult.HEADER).append('\n');
@@ -44,7 +45,7 @@ final class EvaluationFile {
         return games;
     }
 
-    private List<GameResult> readable(String title, long[] seeds) {
+    private List<GameResult> readable(String title, IntFunction<long[]> seeds) {
         List<GameResult> games = new ArrayList<>();
         if (!Files.exists(file)) {
             return games;
@@ -57,10 +58,11 @@ final class EvaluationFile {
             if (lines.size() < 2 || !lines.get(0).equals(title) || !lines.get(1).equals(GameResult.HEADER)) {
                 return games;
             }
+            long[] expected = seeds.apply(lines.size() - 2);
             for (String line : lines.subList(2, lines.size())) {
                 GameResult game = GameResult.parse(line);
-                if (games.size() == seeds.length || game.seed() != seeds[games.size()]) {
-                    return games.size() == seeds.length ? games : new ArrayList<>();
+                if (game.seed() != expected[games.size()]) {
+                    return new ArrayList<>();
                 }
                 games.add(game);
             }

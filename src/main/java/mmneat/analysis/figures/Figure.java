@@ -18,8 +18,8 @@ import javax.imageio.ImageIO;
 /** A figure of one or more panels side by side and below each other, all of one size, with one legend. */
 public final class Figure {
 
-    /** Panels in a row of a {@link #grid}. */
-    static final int COLUMNS = 3;
+    /** Most panels in a row of a {@link #grid}. */
+    private static final int COLUMNS = 3;
 
     /** Pixels per point of the PNG: sharp in print at the width of a page. */
     private static final int PNG_SCALE = 3;
@@ -60,11 +60,16 @@ public final class Figure {
         this.panelHeight = panelHeight;
     }
 
+    /** Panels in a row of a {@link #grid}: four stand two and two. */
+    static int columns(int panels) {
+        return panels == 4 ? 2 : Math.min(COLUMNS, panels);
+    }
+
     /** A figure of small panels in rows, or of one large panel. */
     static Figure grid(String name, String caption, List<Panel> panels, List<Key> keys) {
         return panels.size() == 1
                 ? new Figure(name, caption, panels, keys, 1, 620, 420)
-                : new Figure(name, caption, panels, keys, Math.min(COLUMNS, panels.size()), 360, 280);
+                : new Figure(name, caption, panels, keys, columns(panels.size()), 360, 280);
     }
 
     /** File name without its ending. */

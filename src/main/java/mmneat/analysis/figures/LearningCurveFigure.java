@@ -79,7 +79,7 @@ public final class LearningCurveFigure {
             Panel panel = new Panel(
                     experiment.label() + ", " + runs(experiment.runs().size()),
                     "Generation",
-                    i % Figure.COLUMNS == 0 ? "Champion's score" : "");
+                    i % Figure.columns(experiments.size()) == 0 ? "Champion's score" : "");
             panel.band(quantiles(experiment, 0.25), quantiles(experiment, 0.75), style.wash());
             double[] theirs = published(paper, experiment, last);
             if (theirs.length > 0) {

@@ -29,7 +29,7 @@ public final class ModuleUseFigure {
             Panel panel = new Panel(
                     experiment.label(),
                     "Champion's average score",
-                    i % Figure.COLUMNS == 0 ? "Most-used module, % of steps" : "");
+                    i % Figure.columns(experiments.size()) == 0 ? "Most-used module, % of steps" : "");
             List<PublishedResults.Champion> champions = paper.champions(experiment.version(), experiment.method());
             double[] theirs = champions.stream()
                     .mapToDouble(PublishedResults.Champion::averageScore)

@@ -38,11 +38,18 @@ public final class ExperimentFinder {
                 throw new UserError(path + ": no finished run is there; give the folder of an experiment, for example"
                         + " results/blended or results/blended/2M");
             }
-            groups.putAll(found);
+            // The same run may be meant twice, for instance by results/blended/2M and results/blended/2M0.
+            found.forEach((stem, runs) -> groups.merge(stem, runs, ExperimentFinder::union));
         }
         List<Experiment> experiments = new ArrayList<>();
         groups.forEach((stem, runs) -> experiments.add(experiment(stem, runs)));
         return withLabels(experiments, List.copyOf(groups.keySet()));
+    }
+
+    private static List<RunResult> union(List<RunResult> some, List<RunResult> others) {
+        Map<Integer, RunResult> runs = new TreeMap<>();
+        Stream.of(some, others).flatMap(List::stream).forEach(run -> runs.put(run.number(), run));
+        return List.copyOf(runs.values());
     }
 
     private static List<Path> runFolders(Path path) {
@@ -105,13 +112,14 @@ public final class ExperimentFinder {
         return new Experiment(version, method.isEmpty() ? name : method, name, runs);
     }
 
-    /** The shortest label that tells all apart: the method, the version and the method, or the folder. */
+    /** The shortest label that tells all apart: the method, the version and the method, the folder's name, or the folder. */
     private static List<Experiment> withLabels(List<Experiment> experiments, List<Path> stems) {
         List<Function<Integer, String>> labels = List.of(
                 i -> MethodName.paper(experiments.get(i).method()),
                 i -> (experiments.get(i).version() + " "
                                 + MethodName.paper(experiments.get(i).method()))
                         .strip(),
+                i -> stems.get(i).getFileName().toString(),
                 i -> stems.get(i).toString());
         for (Function<Integer, String> label : labels) {
             List<String> all = Stream.iterate(0, i -> i + 1)

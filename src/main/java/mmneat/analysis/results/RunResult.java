@@ -29,4 +29,10 @@ public record RunResult(
     public int generations() {
         return championScores.length - 1;
     }
+
+    /** Whether fewer generations were evolved than its parameters ask for. */
+    public boolean isUnfinished() {
+        String asked = parameters.getOrDefault("maxGens", "");
+        return asked.matches("\\d{1,9}") && generations() < Integer.parseInt(asked);
+    }
 }

@@ -138,8 +138,8 @@ public final class ComparisonReport {
                 .append('\n');
         if (comparison != null) {
             text.append("\nAll pairs: two-sided Mann-Whitney U, Bonferroni for ")
-                    .append(comparison.comparisons())
-                    .append(" comparisons; A is the chance that the first is higher\n\n")
+                    .append(count(comparison.comparisons()))
+                    .append("; A is the chance that the first is higher\n\n")
                     .append(pairs().text())
                     .append("* corrected p below ")
                     .append(Comparison.SIGNIFICANCE)
@@ -147,11 +147,15 @@ public final class ComparisonReport {
         }
         if (hasPaper()) {
             text.append("\nOurs against the paper's champions (")
-                    .append(Numbers.decimal(againstPaper.size(), 0))
-                    .append(" comparisons)\n\n")
+                    .append(count(againstPaper.size()))
+                    .append(")\n\n")
                     .append(againstPaper().text());
         }
         return text.toString();
+    }
+
+    private static String count(int comparisons) {
+        return comparisons + (comparisons == 1 ? " comparison" : " comparisons");
     }
 
     /** All tables for LaTeX. */

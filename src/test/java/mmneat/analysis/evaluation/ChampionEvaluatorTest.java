@@ -93,6 +93,15 @@ class ChampionEvaluatorTest {
     }
 
     @Test
+    void fewerGamesThanThereAre_loseNone() throws Exception {
+        evaluate(Rules.TRAINING, 20, 1);
+        String all = table();
+        ChampionEvaluation again = evaluate(Rules.TRAINING, 5, 1);
+        assertThat(again.games()).isEqualTo(20);
+        assertThat(table()).isEqualTo(all);
+    }
+
+    @Test
     void summary_agreesWithTheGames_andAGameWithItsSeed() throws Exception {
         ChampionEvaluation summary = evaluate(Rules.TRAINING, 20, 1);
         List<GameResult> games = table().lines().skip(2).map(GameResult::parse).toList();

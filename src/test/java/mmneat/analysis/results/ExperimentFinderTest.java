@@ -52,6 +52,26 @@ class ExperimentFinderTest {
     }
 
     @Test
+    void runMeantTwice_isThereOnce_andHidesNoOther() throws IOException {
+        for (int run = 0; run < 3; run++) {
+            RunFixture.run(base, "blended", "2M", run, 1);
+        }
+        assertThat(ExperimentFinder.find(List.of(base.resolve("blended/2M"), base.resolve("blended/2M1"))))
+                .singleElement()
+                .satisfies(
+                        e -> assertThat(e.runs()).extracting(RunResult::number).containsExactly(0, 1, 2));
+    }
+
+    @Test
+    void sameMethodWithOtherSettings_isToldApartByTheFolder() throws IOException {
+        RunFixture.run(base, "blended", "2M", 0, 1);
+        Files.move(RunFixture.run(base, "blended", "2M", 1, 1), base.resolve("blended/2M-quick1"));
+        assertThat(ExperimentFinder.find(List.of(base.resolve("blended"))))
+                .extracting(Experiment::label)
+                .containsExactly("2M", "2M-quick");
+    }
+
+    @Test
     void sameMethodOfTwoVersions_isToldApartByTheLabel() throws IOException {
         RunFixture.run(base, "blended", "1M", 0, 1);
         RunFixture.run(base, "isolated", "1M", 0, 1);
