@@ -7,15 +7,29 @@ import mmneat.analysis.evaluation.Rules;
 import mmneat.experiment.PublishedConfigurations;
 import mmneat.mspacman.MsPacManTaskSettings;
 
-/** The words that say how a champion plays: {@code task=} and {@code ghosts=}. */
+/** The words that say how a champion plays. */
 final class ChampionWords {
+
+    static final Word RULES = new Word(
+            "rules", String.join("|", Rules.labels()), "the rules (default training: one life, as in evolution)");
+
+    static final Word TASK = new Word(
+            "task",
+            String.join("|", PublishedConfigurations.tasks()),
+            "version of the task (default: that of the run, or what the network's inputs say)");
+
+    static final Word GHOSTS = new Word("ghosts", "FILE", "recorded ghost locations, for the isolated version");
 
     private ChampionWords() {}
 
+    static Rules rules(Words words) {
+        return Rules.of(words.text(RULES.name(), Rules.TRAINING.label()));
+    }
+
     static MsPacManTaskSettings settings(Words words, Champion champion, Rules rules) {
-        Optional<String> task = words.has("task")
-                ? Optional.of(words.choice("task", "", PublishedConfigurations.tasks()))
+        Optional<String> task = words.has(TASK.name())
+                ? Optional.of(words.choice(TASK.name(), "", PublishedConfigurations.tasks()))
                 : Optional.empty();
-        return PlayerSettings.of(champion, task, rules, words.path("ghosts"));
+        return PlayerSettings.of(champion, task, rules, words.path(GHOSTS.name()));
     }
 }

@@ -1,25 +1,17 @@
 package mmneat.cli;
 
 import java.io.PrintWriter;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import mmneat.analysis.ExperimentComparison;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.statistics.ComparisonCsv;
-import mmneat.experiment.UserError;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Compares the champions of several experiments with the paper's statistics. */
 @Command(
         name = "compare",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat compare EXPERIMENT... [name=value...]",
         description = {
             "Compares the champions of experiments: Kruskal-Wallis, all pairs Mann-Whitney with Bonferroni's correction,"
@@ -30,18 +22,10 @@ import picocli.CommandLine.Spec;
             "Example: mmneat compare results/blended/1M results/blended/2M csv=pairs.csv latex=pairs.tex",
             "",
         })
-final class CompareCommand implements Runnable, WordCommand {
-
-    private static final int MOST_EXPERIMENTS = 1000;
-
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(hidden = true, paramLabel = "EXPERIMENT")
-    private List<String> arguments = new ArrayList<>();
+final class CompareCommand extends WordCommand implements Runnable {
 
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         return List.of(
                 new Word(
                         "scores",
@@ -55,14 +39,14 @@ final class CompareCommand implements Runnable, WordCommand {
 
     @Override
     public void run() {
-        Words words = Words.parse(arguments, this, MOST_EXPERIMENTS);
-        List<Experiment> experiments = ExperimentFinder.find(experimentPaths(words, "compare"));
+        Words words = wordsAboutExperiments();
+        List<Experiment> experiments = ExperimentFinder.find(experimentPaths(words));
         String scores = words.choice("scores", "auto", List.of("auto", "evaluation", "training"));
         ExperimentComparison comparison = ExperimentComparison.of(
                 experiments,
                 ExperimentComparison.Scores.valueOf(scores.toUpperCase(Locale.ROOT)),
                 words.flag("paper", false));
-        PrintWriter out = command.commandLine().getOut();
+        PrintWriter out = out();
         out.println(comparison.heading());
         out.println();
         out.print(comparison.report().text());
@@ -71,13 +55,5 @@ final class CompareCommand implements Runnable, WordCommand {
         words.path("csv").ifPresent(file -> OutputFile.write(file, ComparisonCsv.of(comparison.report())));
         words.path("latex")
                 .ifPresent(file -> OutputFile.write(file, comparison.report().latex()));
-    }
-
-    /** The words that name experiments; at least one. */
-    static List<Path> experimentPaths(Words words, String command) {
-        if (words.plain().isEmpty()) {
-            throw new UserError("no experiment is given; write mmneat " + command + " results/blended, for example");
-        }
-        return words.plain().stream().map(Path::of).toList();
     }
 }

@@ -20,18 +20,12 @@ import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
-import mmneat.experiment.PublishedConfigurations;
 import mmneat.experiment.UserError;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Lets champions play many games after evolution. */
 @Command(
         name = "evaluate",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat evaluate EXPERIMENT|FILE... [name=value...]",
         description = {
             "Lets champions play many games on all cores: average score with its confidence interval, module use by situation,"
@@ -44,29 +38,19 @@ import picocli.CommandLine.Spec;
             "Example: mmneat evaluate champion=blended games=100",
             "",
         })
-final class EvaluateCommand implements Runnable, WordCommand {
+final class EvaluateCommand extends WordCommand implements Runnable {
 
-    private static final int MOST_EXPERIMENTS = 1000;
     private static final int PROGRESS_SECONDS = 5;
 
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(hidden = true, paramLabel = "EXPERIMENT")
-    private List<String> arguments = new ArrayList<>();
-
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         return List.of(
                 ChosenChampion.WORD,
                 new Word(
                         "games",
                         "1000",
                         "games per champion (default 1000); where more were played already, all of them count"),
-                new Word(
-                        "rules",
-                        String.join("|", Rules.labels()),
-                        "the rules (default training: one life, as in evolution)"),
+                ChampionWords.RULES,
                 new Word("seed", "0", "seed of the games' seeds (default 0)"),
                 new Word("threads", "2", "games played at the same time (default: all cores)"),
                 new Word(
@@ -74,17 +58,14 @@ final class EvaluateCommand implements Runnable, WordCommand {
                         "true",
                         "writes the original's eval report instead, one champion after the other and game after game, drawn"
                                 + " as the original draws from the run's seed (default false)"),
-                new Word(
-                        "task",
-                        String.join("|", PublishedConfigurations.tasks()),
-                        "version of the task (default: that of the run, or what the network's inputs say)"),
-                new Word("ghosts", "FILE", "recorded ghost locations, for the isolated version"));
+                ChampionWords.TASK,
+                ChampionWords.GHOSTS);
     }
 
     @Override
     public void run() {
-        Words words = Words.parse(arguments, this, MOST_EXPERIMENTS);
-        Rules rules = Rules.of(words.text("rules", Rules.TRAINING.label()));
+        Words words = wordsAboutExperiments();
+        Rules rules = ChampionWords.rules(words);
         int games = words.integer("games", 1000, 1, Integer.MAX_VALUE);
         List<ChampionEvaluator.Entry> entries = champions(words).stream()
                 .map(champion -> new ChampionEvaluator.Entry(champion, ChampionWords.settings(words, champion, rules)))
@@ -107,13 +88,13 @@ final class EvaluateCommand implements Runnable, WordCommand {
     }
 
     /** The champions of all runs that the plain words lead to, or the networks that they name, or the shipped one. */
-    private static List<Champion> champions(Words words) {
+    private List<Champion> champions(Words words) {
         List<Champion> champions = new ArrayList<>();
         if (words.has(ChosenChampion.WORD.name())) {
             champions.add(ChosenChampion.of(words, null));
             return champions;
         }
-        for (Path path : CompareCommand.experimentPaths(words, "evaluate")) {
+        for (Path path : experimentPaths(words)) {
             if (Files.isRegularFile(path)) {
                 champions.add(Champion.read(path));
             } else {
@@ -128,13 +109,13 @@ final class EvaluateCommand implements Runnable, WordCommand {
     private void report(List<ChampionEvaluator.Entry> entries, int games) {
         for (ChampionEvaluator.Entry entry : entries) {
             Path file = EvaluationReport.write(entry.champion(), entry.settings(), games);
-            command.commandLine().getOut().println(file);
+            out().println(file);
         }
-        command.commandLine().getOut().flush();
+        out().flush();
     }
 
     private ScheduledExecutorService progress(ChampionEvaluator evaluator, long all) {
-        PrintWriter notes = command.commandLine().getErr();
+        PrintWriter notes = notes();
         long start = System.nanoTime();
         ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
             Thread thread = new Thread(task, "progress");
@@ -180,7 +161,7 @@ final class EvaluateCommand implements Runnable, WordCommand {
                             .mapToObj(Long::toString)
                             .collect(Collectors.joining(" ")));
         }
-        PrintWriter out = command.commandLine().getOut();
+        PrintWriter out = out();
         out.print(table.text());
         if (entries.size() == 1) {
             out.println();

@@ -16,15 +16,10 @@ import mmneat.neat.io.NetworkGraphml;
 import mmneat.neat.io.NetworkLabels;
 import mmneat.neat.io.NetworkSvg;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code network FILE}: draws a saved network, or writes it in another form. */
 @Command(
         name = "network",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat network [FILE] [name=value...]",
         description = {
             "Draws a saved network, or writes it in another form.",
@@ -34,7 +29,7 @@ import picocli.CommandLine.Spec;
             "Example: mmneat network champion=isolated out=network.svg",
             "",
         })
-final class NetworkCommand implements Runnable, WordCommand {
+final class NetworkCommand extends WordCommand implements Runnable {
 
     private static final List<String> FORMATS = List.of("svg", "dot", "graphml", "json", "xml");
     /** The formats that name inputs. */
@@ -45,14 +40,8 @@ final class NetworkCommand implements Runnable, WordCommand {
                     PublishedConfigurations.tasks().stream(), Stream.of(NO_TASK))
             .toList();
 
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(arity = "0..*", hidden = true, paramLabel = "FILE")
-    private List<String> words = List.of();
-
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         return List.of(
                 ChosenChampion.WORD,
                 new Word(
@@ -70,7 +59,7 @@ final class NetworkCommand implements Runnable, WordCommand {
 
     @Override
     public void run() {
-        Words parsed = Words.parse(words, this, 1);
+        Words parsed = words(1);
         Champion champion = ChosenChampion.of(parsed, null);
         Optional<Path> out = parsed.path("out");
         String format =
@@ -79,8 +68,8 @@ final class NetworkCommand implements Runnable, WordCommand {
         if (out.isPresent()) {
             OutputFile.write(out.get(), text);
         } else {
-            command.commandLine().getOut().print(text);
-            command.commandLine().getOut().flush();
+            out().print(text);
+            out().flush();
         }
     }
 
@@ -91,8 +80,8 @@ final class NetworkCommand implements Runnable, WordCommand {
         }
         ChampionLabels labels = ChampionLabels.of(champion, task.isEmpty() ? Optional.empty() : Optional.of(task));
         if (!labels.remark().isEmpty()) {
-            command.commandLine().getErr().println("network: " + labels.remark());
-            command.commandLine().getErr().flush();
+            notes().println("network: " + labels.remark());
+            notes().flush();
         }
         return labels.labels();
     }

@@ -7,7 +7,6 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
@@ -30,9 +29,6 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /**
  * Plays games between two controllers and prints what they scored.
@@ -42,8 +38,6 @@ import picocli.CommandLine.Spec;
  */
 @Command(
         name = "play",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat play [name=value...]",
         description = {
             "Plays games of Ms. Pac-Man between two controllers and prints score and speed.",
@@ -52,20 +46,14 @@ import picocli.CommandLine.Spec;
             "Example: mmneat play classpath=entry.jar pacman=my.Entry view=true",
             "",
         })
-final class PlayCommand implements Runnable, WordCommand {
+final class PlayCommand extends WordCommand implements Runnable {
 
     private static final String HUMAN = "Human";
     private static final int PROGRESS_SECONDS = 5;
     private static final int LAST_LOOK_MILLISECONDS = 2000;
 
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(hidden = true, paramLabel = "name=value")
-    private List<String> arguments = new ArrayList<>();
-
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         List<Word> own = List.of(
                 new Word(
                         "pacman",
@@ -96,8 +84,8 @@ final class PlayCommand implements Runnable, WordCommand {
 
     @Override
     public void run() {
-        Words words = Words.parse(arguments, this, 0);
-        new Contest(words, command.commandLine().getOut(), command.commandLine().getErr()).play();
+        Words words = words(0);
+        new Contest(words, out(), notes()).play();
     }
 
     /** The games of one command. */

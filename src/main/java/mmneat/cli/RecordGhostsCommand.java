@@ -2,7 +2,6 @@ package mmneat.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import mmneat.analysis.evaluation.Champion;
@@ -11,15 +10,10 @@ import mmneat.analysis.recording.GhostLocationRecorder;
 import mmneat.experiment.PublishedConfigurations;
 import mmneat.experiment.UserError;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Records where the ghosts are when a champion eats power pills, for the isolated task. */
 @Command(
         name = "record-ghosts",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat record-ghosts [FILE] [name=value...]",
         description = {
             "Lets a champion play until every power pill of every maze has been eaten often enough while all four ghosts were"
@@ -32,7 +26,7 @@ import picocli.CommandLine.Spec;
             "Example: mmneat record-ghosts results/blended/2M0 out=ghost-locations.txt seed=1",
             "",
         })
-final class RecordGhostsCommand implements Runnable, WordCommand {
+final class RecordGhostsCommand extends WordCommand implements Runnable {
 
     private static final String DEFAULT_OUT = "ghost-locations.txt";
     private static final int NEEDED = 100;
@@ -41,14 +35,8 @@ final class RecordGhostsCommand implements Runnable, WordCommand {
     private static final String WHERE_MISSING = "missing";
     private static final List<String> STARTS = List.of(WHERE_MISSING, "a", "b", "c", "d");
 
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(hidden = true, paramLabel = "FILE")
-    private List<String> arguments = new ArrayList<>();
-
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         return List.of(
                 ChosenChampion.WORD,
                 new Word("out", "FILE", "the file to write (default " + DEFAULT_OUT + ")"),
@@ -68,7 +56,7 @@ final class RecordGhostsCommand implements Runnable, WordCommand {
 
     @Override
     public void run() {
-        Words words = Words.parse(arguments, this, 1);
+        Words words = words(1);
         Champion champion = ChosenChampion.of(words, "blended");
         GhostLocationRecorder recorder = new GhostLocationRecorder(
                 ChampionWords.settings(words, champion, Rules.TRAINING),
@@ -86,14 +74,14 @@ final class RecordGhostsCommand implements Runnable, WordCommand {
                     + "; give more games=, another seed= or a better champion");
         }
         OutputFile.write(out, recorder.text());
-        PrintWriter lines = command.commandLine().getOut();
+        PrintWriter lines = out();
         lines.println(out + ": " + recorder.recorded() + " situations from " + recorder.games() + " games of "
                 + champion.name() + "; use it with mazePowerPillGhostMapping=" + out);
         lines.flush();
     }
 
     private void play(GhostLocationRecorder recorder, String start, int games) {
-        PrintWriter notes = command.commandLine().getErr();
+        PrintWriter notes = notes();
         long interval = TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
         long nextProgress = System.nanoTime() + interval;
         while (!recorder.isComplete() && recorder.games() < games) {

@@ -3,7 +3,6 @@ package mmneat.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -24,15 +23,10 @@ import mmneat.analysis.results.RunResult;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Writes one page about a set of experiments, with its figures and replays. */
 @Command(
         name = "report",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat report EXPERIMENT... [name=value...]",
         description = {
             "Writes one web page about experiments: figures, statistics, champions with their networks and replays, settings."
@@ -42,18 +36,10 @@ import picocli.CommandLine.Spec;
             "Example: mmneat report results/blended results/isolated figures=pictures replays=best",
             "",
         })
-final class ReportCommand implements Runnable, WordCommand {
-
-    private static final int MOST_EXPERIMENTS = 1000;
-
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(hidden = true, paramLabel = "EXPERIMENT")
-    private List<String> arguments = new ArrayList<>();
+final class ReportCommand extends WordCommand implements Runnable {
 
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         return List.of(
                 new Word("out", "FILE", "the page to write (default report.html)"),
                 new Word("title", "TEXT", "its heading (default: the experiments)"),
@@ -69,8 +55,8 @@ final class ReportCommand implements Runnable, WordCommand {
 
     @Override
     public void run() {
-        Words words = Words.parse(arguments, this, MOST_EXPERIMENTS);
-        List<Experiment> experiments = ExperimentFinder.find(CompareCommand.experimentPaths(words, "report"));
+        Words words = wordsAboutExperiments();
+        List<Experiment> experiments = ExperimentFinder.find(experimentPaths(words));
         boolean published = experiments.stream().anyMatch(ReportCommand::isPublished);
         ExperimentComparison comparison =
                 ExperimentComparison.of(experiments, ExperimentComparison.Scores.AUTO, published);
@@ -86,7 +72,7 @@ final class ReportCommand implements Runnable, WordCommand {
         Map<Path, String> links = replays(words, experiments, out);
         String title = words.text("title", title(experiments));
         OutputFile.write(out, report.html(title, figures, (experiment, run) -> links.get(run.folder())));
-        PrintWriter messages = command.commandLine().getOut();
+        PrintWriter messages = out();
         messages.println(out + ": open it in a browser");
         messages.flush();
     }

@@ -25,15 +25,10 @@ import mmneat.experiment.cluster.SlurmScript;
 import mmneat.experiment.cluster.SlurmSubmission;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Hands the unfinished runs of experiments to a scheduler, one job per run. */
 @Command(
         name = "submit",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis =
                 "mmneat submit task=TASK[,TASK...] [method=METHOD[,METHOD...]|all] [runs=N] [engine=...] [name=value...]",
         description = {
@@ -44,7 +39,7 @@ import picocli.CommandLine.Spec;
             "Example: mmneat submit runs=30 task=blended method=all engine=parallel | parallel -j 16",
             "",
         })
-final class SubmitCommand implements Callable<Integer>, WordCommand {
+final class SubmitCommand extends WordCommand implements Callable<Integer> {
 
     /** The measured peak of a run of mu=100 is well below; see docs/performance.md. */
     private static final String DEFAULT_MEMORY = "1G";
@@ -56,14 +51,8 @@ final class SubmitCommand implements Callable<Integer>, WordCommand {
 
     private static final List<String> ENGINES = List.of("local", "slurm", "htcondor", "kubernetes", "parallel");
 
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(hidden = true, paramLabel = "NAME=VALUE")
-    private List<String> arguments = new ArrayList<>();
-
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         return List.of(
                 new Word("engine", String.join("|", ENGINES), "who places the jobs (default local: this machine, now)"),
                 new Word("cpus", "N", "processors per run (default 1: a run uses one unless parallelEvaluations=true)"),
@@ -88,12 +77,12 @@ final class SubmitCommand implements Callable<Integer>, WordCommand {
     @Override
     public Integer call() throws Exception {
         List<String> names = knownWords().stream().map(Word::name).toList();
-        Map<Boolean, List<String>> split =
-                arguments.stream().collect(Collectors.partitioningBy(word -> names.contains(word.split("[=:]", 2)[0])));
-        Words own = Words.parse(split.get(true), this, 0);
+        Map<Boolean, List<String>> split = arguments().stream()
+                .collect(Collectors.partitioningBy(word -> names.contains(word.split("[=:]", 2)[0])));
+        Words own = Words.parse(split.get(true), names);
         String engine = own.choice("engine", "local", ENGINES);
         Study study = Study.of(split.get(false), ParameterCatalogue.load());
-        PrintWriter errors = command.commandLine().getErr();
+        PrintWriter errors = notes();
         study.remarks().forEach(remark -> errors.println("mmneat: " + remark));
         errors.flush();
         return engine.equals("local") ? runHere(study) : handOver(study, engine, own);
@@ -103,9 +92,8 @@ final class SubmitCommand implements Callable<Integer>, WordCommand {
     private int runHere(Study study) throws InterruptedException, IOException {
         int worst = ExitCode.OK;
         for (Study.Part part : study.parts()) {
-            PrintWriter out = command.commandLine().getOut();
-            worst = Math.max(
-                    worst, new MainJob(part.words(), out, command.commandLine().getErr()).call());
+            PrintWriter out = out();
+            worst = Math.max(worst, new MainJob(part.words(), out, notes()).call());
             if (!part.plan().parameters().flag("quiet")) {
                 out.println();
                 out.flush();
@@ -120,7 +108,7 @@ final class SubmitCommand implements Callable<Integer>, WordCommand {
                 JobResources.parseMemory(own.text("memory", DEFAULT_MEMORY)),
                 JobResources.parseTime(own.text("time", DEFAULT_TIME)),
                 own.text("java", "java"));
-        PrintWriter out = command.commandLine().getOut();
+        PrintWriter out = out();
         Path jar = ownJar();
         List<String> submitted = new ArrayList<>();
         for (Study.Part part : study.parts()) {
@@ -187,7 +175,7 @@ final class SubmitCommand implements Callable<Integer>, WordCommand {
 
     /** Beside a list of commands, which other programs read from standard output, words go to standard error. */
     private void tell(String engine, PrintWriter out, String line) {
-        PrintWriter target = engine.equals("parallel") ? command.commandLine().getErr() : out;
+        PrintWriter target = engine.equals("parallel") ? notes() : out;
         target.println(line);
         target.flush();
     }

@@ -26,15 +26,10 @@ import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
 import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Measures how the game divides into tasks. */
 @Command(
         name = "tasks",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat tasks [name=value...]",
         description = {
             "Measures how the versions of the game divide into tasks: how often the task changes per time step (thrashing"
@@ -45,7 +40,7 @@ import picocli.CommandLine.Spec;
             "Example: mmneat tasks task=blended predicates=AnyGhostEdible players=StarterPacMan,champion.json games=200",
             "",
         })
-final class TasksCommand implements Runnable, WordCommand {
+final class TasksCommand extends WordCommand implements Runnable {
 
     static final String PREDICATES =
             "threats (a ghost outside the lair is not edible), edible (a ghost is edible), pills (pills or"
@@ -55,14 +50,8 @@ final class TasksCommand implements Runnable, WordCommand {
     private static final int PROGRESS_SECONDS = 5;
     private static final int RATE_DECIMALS = 5;
 
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(hidden = true, paramLabel = "name=value")
-    private List<String> arguments = new ArrayList<>();
-
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         return List.of(
                 new Word(
                         "task",
@@ -84,13 +73,13 @@ final class TasksCommand implements Runnable, WordCommand {
                         "100",
                         "trials per player; in the isolated version five games each (default " + GAMES + ")"),
                 new Word("seed", "0", "seed of the games (default 0)"),
-                new Word("ghosts", "FILE", "recorded ghost locations, for the isolated version"),
+                ChampionWords.GHOSTS,
                 new Word("out", "FILE", "writes a line for each game as CSV"));
     }
 
     @Override
     public void run() {
-        Words words = Words.parse(arguments, this, 0);
+        Words words = words(0);
         int games = words.integer("games", GAMES, 1, 1_000_000);
         long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         List<String> versions = words.has("task")
@@ -136,7 +125,7 @@ final class TasksCommand implements Runnable, WordCommand {
     }
 
     private IntConsumer progress(String version, String name, int games) {
-        PrintWriter notes = command.commandLine().getErr();
+        PrintWriter notes = notes();
         long interval = TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
         long[] next = {System.nanoTime() + interval};
         return played -> {
@@ -149,7 +138,7 @@ final class TasksCommand implements Runnable, WordCommand {
     }
 
     private void print(String version, TaskDivision division, List<String> names, List<TaskMeasurement> measured) {
-        PrintWriter out = command.commandLine().getOut();
+        PrintWriter out = out();
         out.println(version + ", divided by " + division.name());
         TextTable table = new TextTable(
                 "player", "games", "mean score", "thrashing rate", "sd", "highest", "overlap", "the tasks are");

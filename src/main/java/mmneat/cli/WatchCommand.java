@@ -5,7 +5,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import mmneat.analysis.evaluation.Champion;
@@ -16,20 +15,14 @@ import mmneat.analysis.replay.GameWindow;
 import mmneat.analysis.replay.Replay;
 import mmneat.analysis.replay.ReplayPage;
 import mmneat.analysis.replay.ReplayTitle;
-import mmneat.experiment.PublishedConfigurations;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import pacman.game.Constants;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Lets a network play a game and writes a page that shows it. */
 @Command(
         name = "watch",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat watch [FILE] [name=value...]",
         description = {
             "Lets a network play Ms. Pac-Man and writes the game as a web page: the maze, the module in charge, the senses"
@@ -41,18 +34,12 @@ import picocli.CommandLine.Spec;
             "Example: mmneat watch champion=interleaved out=game.gif",
             "",
         })
-final class WatchCommand implements Runnable, WordCommand {
+final class WatchCommand extends WordCommand implements Runnable {
 
     private static final int LONGEST_DELAY_MILLISECONDS = 60_000;
 
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(hidden = true, paramLabel = "FILE")
-    private List<String> arguments = new ArrayList<>();
-
     @Override
-    public List<Word> knownWords() {
+    List<Word> knownWords() {
         return List.of(
                 ChosenChampion.WORD,
                 new Word(
@@ -63,22 +50,16 @@ final class WatchCommand implements Runnable, WordCommand {
                 new Word("window", "true", "shows the game in a window instead of writing it (default false)"),
                 new Word("delay", "40", "milliseconds per step in the window (default 40)"),
                 new Word("seed", "0", "which game: the same seed gives the same game (default 0)"),
-                new Word(
-                        "rules",
-                        String.join("|", Rules.labels()),
-                        "the rules (default training: one life, as in evolution)"),
-                new Word(
-                        "task",
-                        String.join("|", PublishedConfigurations.tasks()),
-                        "version of the task (default: that of the run, or what the network's inputs say)"),
-                new Word("ghosts", "FILE", "recorded ghost locations, for the isolated version"));
+                ChampionWords.RULES,
+                ChampionWords.TASK,
+                ChampionWords.GHOSTS);
     }
 
     @Override
     public void run() {
-        Words words = Words.parse(arguments, this, 1);
+        Words words = words(1);
         Champion champion = ChosenChampion.of(words, null);
-        Rules rules = Rules.of(words.text("rules", Rules.TRAINING.label()));
+        Rules rules = ChampionWords.rules(words);
         long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         MsPacManTaskSettings settings = ChampionWords.settings(words, champion, rules);
         Path out = words.path("out").orElse(Path.of(champion.name() + ".html"));
@@ -89,7 +70,7 @@ final class WatchCommand implements Runnable, WordCommand {
         } else {
             writePage(out, champion, settings, rules, seed);
         }
-        command.commandLine().getOut().flush();
+        out().flush();
     }
 
     private void showWindow(Words words, Champion champion, MsPacManTaskSettings settings, long seed) {
@@ -101,7 +82,7 @@ final class WatchCommand implements Runnable, WordCommand {
             throw new UserError("window=true needs a display, and there is none; write out=game.html or out=game.gif");
         }
         int score = GameWindow.show(settings, champion.genotype(), seed, delay);
-        command.commandLine().getOut().printf(Locale.ROOT, "%s: %,d points%n", champion.name(), score);
+        out().printf(Locale.ROOT, "%s: %,d points%n", champion.name(), score);
     }
 
     private void writeGif(Path out, Champion champion, MsPacManTaskSettings settings, long seed) {
@@ -113,9 +94,7 @@ final class WatchCommand implements Runnable, WordCommand {
             throw new UncheckedIOException(e);
         }
         OutputFile.write(out, bytes.toByteArray());
-        command.commandLine()
-                .getOut()
-                .printf(Locale.ROOT, "%s (%,d frames, %,d kB)%n", out, frames, bytes.size() / 1000);
+        out().printf(Locale.ROOT, "%s (%,d frames, %,d kB)%n", out, frames, bytes.size() / 1000);
     }
 
     private void writePage(Path out, Champion champion, MsPacManTaskSettings settings, Rules rules, long seed) {
@@ -126,9 +105,7 @@ final class WatchCommand implements Runnable, WordCommand {
         Replay replay = GameRecording.record(settings, champion.genotype(), seed, title);
         String page = ReplayPage.html(replay);
         OutputFile.write(out, page);
-        command.commandLine()
-                .getOut()
-                .printf(
+        out().printf(
                         Locale.ROOT,
                         "%s, %s: %,d points in %,d steps%n%s (%,d kB): open it in a browser%n",
                         champion.name(),

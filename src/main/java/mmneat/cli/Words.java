@@ -68,11 +68,6 @@ public final class Words {
         return new Words(values, plain);
     }
 
-    /** Reads the words of a command; see {@link #parse(Collection, Collection, int)}. */
-    static Words parse(Collection<String> words, WordCommand command, int plainWords) {
-        return parse(words, command.knownWords().stream().map(Word::name).toList(), plainWords);
-    }
-
     private static UserError unknown(String name, Collection<String> knownNames) {
         String suggestion = NearestName.suggestion(name, knownNames);
         return new UserError("unknown name '" + name + "'"

@@ -31,7 +31,9 @@ class ChampionCommandsTest {
 
     private void assertMistake(String message, String... arguments) {
         assertThat(execute(arguments)).isEqualTo(2);
-        assertThat(errors.toString().lines()).hasSize(1);
+        // A slow machine may have shown progress before.
+        assertThat(errors.toString().lines().filter(line -> line.startsWith("mmneat: ")))
+                .hasSize(1);
         assertThat(errors.toString()).contains(message);
     }
 
