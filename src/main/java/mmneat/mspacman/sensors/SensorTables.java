@@ -1,9 +1,5 @@
 package mmneat.mspacman.sensors;
 
-import java.util.Collections;
-import java.util.HashMap;
-import java.util.Map;
-import java.util.WeakHashMap;
 import pacman.game.internal.MazeDistances;
 import pacman.game.internal.MazeGraph;
 import pacman.game.internal.MazeTables;
@@ -17,13 +13,6 @@ final class SensorTables {
     final PillTables pills;
     final OnwardJunctions onward;
     final WalkTables walks;
-
-    /*
-     * Tables are the same whoever asks, and large: runs in one JVM share them. The map only saves time; nothing depends on
-     * what it holds. A maze that nobody uses any more takes its tables along.
-     */
-    private static final Map<MazeTables, Map<Key, SensorTables>> KNOWN =
-            Collections.synchronizedMap(new WeakHashMap<>());
 
     /** Open directions of each node, as bits. */
     final byte[] openDirections;
@@ -43,10 +32,11 @@ final class SensorTables {
      * @param closeness distance below which a power pill is close
      */
     static SensorTables of(MazeTables maze, int lookAhead, double closeness) {
-        Map<Key, SensorTables> ofMaze =
-                KNOWN.computeIfAbsent(maze, key -> Collections.synchronizedMap(new HashMap<>()));
-        return ofMaze.computeIfAbsent(
-                new Key(lookAhead, closeness), key -> new SensorTables(maze, lookAhead, closeness));
+        // Large, and the same whoever asks: the runs of one program share them through the maze.
+        return maze.derived(
+                new Key(lookAhead, closeness),
+                known -> new SensorTables(known, lookAhead, closeness),
+                SensorTables.class);
     }
 
     private SensorTables(MazeTables maze, int lookAhead, double closeness) {

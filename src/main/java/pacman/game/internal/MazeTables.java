@@ -6,6 +6,9 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
 
 /**
  * A maze and everything that is known about it in advance. Immutable, shared by any number of games and threads; the larger
@@ -26,9 +29,22 @@ public final class MazeTables {
     private volatile PillOrder pillOrder;
     private volatile Maze maze;
 
+    private final Map<Object, Object> derived = new ConcurrentHashMap<>();
+
     private MazeTables(MazeGraph graph) {
         this.graph = graph;
         poses = new MazePoses(graph);
+    }
+
+    /**
+     * What somebody else computes from the maze alone: made when it is first asked for, shared from then on.
+     *
+     * @param key names it among all that is derived from this maze, by its class and content
+     * @param maker computes it; must not ask for what is derived from this maze itself
+     * @param type of what it computes
+     */
+    public <T> T derived(Object key, Function<MazeTables, T> maker, Class<T> type) {
+        return type.cast(derived.computeIfAbsent(key, missing -> maker.apply(this)));
     }
 
     /**
