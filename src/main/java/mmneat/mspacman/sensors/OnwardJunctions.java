@@ -37,10 +37,10 @@ final class OnwardJunctions {
     /** Moves, as bits, that lead on from the next junction and not back, for node v and direction d at index 4 v + d. */
     private final byte[] moves;
 
-    OnwardJunctions(MazeGraph graph, PathTables paths) {
+    OnwardJunctions(MazeGraph graph, Ways ways, PathTables paths) {
         this.graph = graph;
         words = (graph.nodeCount() + 63) / 64;
-        int rows = paths.rowCount();
+        int rows = ways.rowCount();
         junctions = new int[4 * rows];
         lengths = new int[4 * rows];
         longest = new int[rows];
@@ -49,24 +49,24 @@ final class OnwardJunctions {
         int[] path = new int[PathTables.LONGEST * graph.nodeCount()];
         for (int row = 0; row < rows; row++) {
             for (int m = 0; m < 4; m++) {
-                fillOnward(paths, row, m, path);
+                fillOnward(ways, paths, row, m, path);
             }
         }
         for (int v = 0; v < graph.lair(); v++) {
             for (int d = 0; d < 4; d++) {
                 if (graph.neighbour(v, d) != CorridorPositions.NONE) {
-                    moves[4 * v + d] = (byte) movesOn(paths, v, d);
+                    moves[4 * v + d] = (byte) movesOn(ways, v, d);
                 }
             }
         }
     }
 
-    private void fillOnward(PathTables paths, int row, int move, int[] path) {
-        int from = paths.junctionOfRow(row);
+    private void fillOnward(Ways ways, PathTables paths, int row, int move, int[] path) {
+        int from = ways.junctionOfRow(row);
         int index = 4 * row + move;
         junctions[index] = CorridorPositions.NONE;
         if (graph.neighbour(from, move) != CorridorPositions.NONE) {
-            junctions[index] = paths.junction(paths.leaving(from, move));
+            junctions[index] = ways.junction(ways.leaving(from, move));
             lengths[index] = paths.rowPath(row, junctions[index], path, 0);
             longest[row] = Math.max(longest[row], lengths[index]);
             for (int i = 0; i < lengths[index]; i++) {
@@ -75,14 +75,14 @@ final class OnwardJunctions {
         }
     }
 
-    private int movesOn(PathTables paths, int node, int direction) {
-        int next = paths.junction(paths.leaving(node, direction));
+    private int movesOn(Ways ways, int node, int direction) {
+        int next = ways.junction(ways.leaving(node, direction));
         int bits = 0;
         for (int m = 0; m < 4; m++) {
             if (graph.neighbour(next, m) != CorridorPositions.NONE) {
-                long way = paths.leaving(next, m);
+                long way = ways.leaving(next, m);
                 // The way back is excluded because she is on it or at its end.
-                if (paths.junction(way) != node && paths.ahead(way, node) < 0) {
+                if (ways.junction(way) != node && ways.ahead(way, node) < 0) {
                     bits |= 1 << m;
                 }
             }

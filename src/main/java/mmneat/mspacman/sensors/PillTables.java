@@ -25,7 +25,7 @@ final class PillTables {
     /** Pills in the order of row r, at index pills r + rank. */
     private final short[] order;
 
-    PillTables(MazeGraph graph, PathTables paths) {
+    PillTables(MazeGraph graph, Ways ways, PathTables paths) {
         pillNodes = IntStream.range(0, graph.pillCount()).map(graph::pillNode).toArray();
         aheadFrom = new int[4 * graph.nodeCount() + 1];
         List<Integer> entries = new ArrayList<>();
@@ -39,8 +39,8 @@ final class PillTables {
         }
         aheadFrom[4 * graph.nodeCount()] = entries.size();
         ahead = entries.stream().mapToInt(Integer::intValue).toArray();
-        order = new short[paths.rowCount() * pillNodes.length];
-        for (int row = 0; row < paths.rowCount(); row++) {
+        order = new short[ways.rowCount() * pillNodes.length];
+        for (int row = 0; row < ways.rowCount(); row++) {
             int r = row;
             int[] sorted = IntStream.range(0, pillNodes.length)
                     .boxed()

@@ -21,6 +21,7 @@ final class SafetyTest {
     private final Situation situation;
     private SensorTables tables;
     private PathTables paths;
+    private Ways ways;
 
     /** Ms. Pac-Man's path: its target, its steps, and the onward path behind the next junction, NONE if it ends there. */
     private int target;
@@ -51,11 +52,12 @@ final class SafetyTest {
     int options() {
         tables = situation.tables();
         paths = tables.paths;
+        ways = tables.ways;
         long way = situation.way();
-        target = paths.junction(way);
-        steps = PathTables.steps(way);
+        target = ways.junction(way);
+        steps = Ways.steps(way);
         onward = NONE;
-        int row = paths.rowOf(way);
+        int row = Ways.row(way);
         int moves = tables.onward.moves(situation.pacManNode(), situation.direction());
         int mostSteps = steps + tables.onward.longest(row);
         mayGoToLastPill =
@@ -71,7 +73,7 @@ final class SafetyTest {
         for (int moves = onwardMoves; moves != 0; moves &= moves - 1) {
             onward = OnwardJunctions.path(row, Integer.numberOfTrailingZeros(moves));
             target = tables.onward.end(onward);
-            steps = PathTables.steps(way) + tables.onward.length(onward);
+            steps = Ways.steps(way) + tables.onward.length(onward);
             if (isSafe()) {
                 options++;
             }
@@ -169,7 +171,7 @@ final class SafetyTest {
             return stamps[node] == stamp;
         }
         return situation.isInCorridorAhead(ghost)
-                || node == paths.junction(situation.way())
+                || node == ways.junction(situation.way())
                 || onward != NONE && tables.onward.passes(onward, node);
     }
 
@@ -177,8 +179,8 @@ final class SafetyTest {
         if (isStamped) {
             return stamps[node] == stamp;
         }
-        return paths.ahead(situation.way(), node) > 0
-                || node == paths.junction(situation.way())
+        return ways.ahead(situation.way(), node) > 0
+                || node == ways.junction(situation.way())
                 || onward != NONE && tables.onward.passes(onward, node);
     }
 
@@ -189,7 +191,7 @@ final class SafetyTest {
         }
         long ghostWay = situation.ghostWay(ghost);
         if (!isStamped && situation.isInCorridorAhead(ghost)) {
-            if (PathTables.isSameCourse(ghostWay, situation.way())) {
+            if (Ways.isSameCourse(ghostWay, situation.way())) {
                 return true;
             }
             // It comes towards her, and so passes her.
@@ -201,12 +203,12 @@ final class SafetyTest {
     }
 
     private boolean isWithinPath(long ghostWay) {
-        int ahead = paths.ahead(ghostWay, target);
+        int ahead = ways.ahead(ghostWay, target);
         boolean inCorridor = ahead >= 0;
-        int legSteps = inCorridor ? ahead : PathTables.steps(ghostWay);
+        int legSteps = inCorridor ? ahead : Ways.steps(ghostWay);
         for (int step = 1; step <= legSteps; step++) {
             boolean isEnd = step == legSteps && !inCorridor;
-            if (!isOnPath(isEnd ? paths.junction(ghostWay) : paths.corridorNode(ghostWay, step))) {
+            if (!isOnPath(isEnd ? ways.junction(ghostWay) : ways.corridorNode(ghostWay, step))) {
                 return false;
             }
         }
@@ -214,7 +216,7 @@ final class SafetyTest {
             return true;
         }
         makeRoom();
-        int length = paths.rowPath(paths.rowOf(ghostWay), target, path, 0);
+        int length = paths.rowPath(Ways.row(ghostWay), target, path, 0);
         for (int i = 0; i < length; i++) {
             if (!isOnPath(path[i])) {
                 return false;

@@ -9,6 +9,7 @@ final class SensorTables {
 
     final MazeGraph graph;
     final MazeDistances distances;
+    final Ways ways;
     final PathTables paths;
     final PillTables pills;
     final OnwardJunctions onward;
@@ -42,9 +43,10 @@ final class SensorTables {
     private SensorTables(MazeTables maze, int lookAhead, double closeness) {
         graph = maze.graph();
         distances = maze.distances();
-        paths = new PathTables(maze);
-        pills = new PillTables(graph, paths);
-        onward = new OnwardJunctions(graph, paths);
+        ways = new Ways(graph);
+        paths = new PathTables(maze, ways);
+        pills = new PillTables(graph, ways, paths);
+        onward = new OnwardJunctions(graph, ways, paths);
         walks = new WalkTables(graph, lookAhead);
         openDirections = new byte[graph.nodeCount()];
         for (int v = 0; v < graph.nodeCount(); v++) {

@@ -27,6 +27,7 @@ public final class Situation {
     private Game game;
     private SensorTables tables;
     private PathTables paths;
+    private Ways ways;
 
     // The state.
     private int mazeIndex;
@@ -104,8 +105,9 @@ public final class Situation {
         }
         tables = maze;
         paths = maze.paths;
+        ways = maze.ways;
         activePills = new long[maze.graph.pillWords()];
-        int rows = paths.rowCount();
+        int rows = ways.rowCount();
         if (firstActiveRank.length < rows) {
             firstActiveRank = new int[rows];
         }
@@ -144,7 +146,7 @@ public final class Situation {
         ghostNode[ghost] = atNode;
         edibleTime[ghost] = edible;
         lairTime[ghost] = lair;
-        ghostWay[ghost] = lair > 0 ? 0 : paths.continuing(atNode, lastMove);
+        ghostWay[ghost] = lair > 0 ? 0 : ways.continuing(atNode, lastMove);
     }
 
     /** Finds what follows from the state, once everything is set. */
@@ -169,7 +171,7 @@ public final class Situation {
                 int approach = paths.approach(ghostWay[ghost], node);
                 ghostPathLength[ghost] = PathTables.lengthOf(approach);
                 neighboursPassed[ghost] = PathTables.neighboursOf(approach);
-                ghostPlace[ghost] = paths.place(ghostNode[ghost]);
+                ghostPlace[ghost] = ways.place(ghostNode[ghost]);
             }
             harmless[ghost] = safety.harmlessSteps(ghost);
             harmlessSteps = Math.min(harmlessSteps, harmless[ghost]);
@@ -179,14 +181,14 @@ public final class Situation {
     /** Turns to an open direction; what sensors sense afterwards is for this direction. */
     public void face(int newDirection) {
         direction = newDirection;
-        way = paths.leaving(node, newDirection);
+        way = ways.leaving(node, newDirection);
         int sideways = 0b1010 >> (newDirection & 1) & 0b1111;
         least = (open & sideways) == 0 ? 0 : 1;
         ghostsOutside = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             orderKeys[ghost] = Integer.MAX_VALUE;
             if (isOutside(ghost)) {
-                int ahead = PathTables.aheadOfPlace(way, ghostPlace[ghost]);
+                int ahead = Ways.aheadOfPlace(way, ghostPlace[ghost]);
                 int distance = ahead >= least ? ahead : paths.lengthBeyond(way, ghostNode[ghost]);
                 stepsAhead[ghost] = ahead;
                 ghostDistance[ghost] = distance;
@@ -377,10 +379,10 @@ public final class Situation {
         if (ahead > 0) {
             return ahead;
         }
-        int row = paths.rowOf(way);
+        int row = Ways.row(way);
         int rank = tables.pills.firstActive(row, firstActiveRank[row], activePills);
         firstActiveRank[row] = rank;
-        return PathTables.steps(way) + paths.rowLength(row, tables.pills.node(row, rank));
+        return Ways.steps(way) + paths.rowLength(row, tables.pills.node(row, rank));
     }
 
     /** Steps in this direction to the nearest active power pill, or -1 if none is left. */
@@ -398,7 +400,7 @@ public final class Situation {
 
     /** Steps in this direction to the next junction. */
     public int nearestJunction() {
-        return PathTables.steps(way);
+        return Ways.steps(way);
     }
 
     /**
