@@ -58,8 +58,13 @@ final class MainJob implements Callable<Integer> {
         } finally {
             progress.close();
         }
-        // Fails if the program is being ended just now: then the hook has the last word.
-        Runtime.getRuntime().removeShutdownHook(interruption);
+        try {
+            Runtime.getRuntime().removeShutdownHook(interruption);
+        } catch (IllegalStateException e) {
+            // The program is being ended just now: the hook has the last word.
+            interruption.join();
+            return ExitCode.SOFTWARE;
+        }
 
         for (RunOutcome outcome : outcomes) {
             reportTrouble(outcome);
