@@ -128,4 +128,15 @@ public final class GhostLocations {
     int node(int maze, int powerPill, int situation, int ghost) {
         return nodes[((maze * POWER_PILLS + powerPill) * SITUATIONS + situation) * Constants.NUM_GHOSTS + ghost];
     }
+
+    /** Whether the same situations were recorded. */
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof GhostLocations locations && Arrays.equals(nodes, locations.nodes);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(nodes);
+    }
 }

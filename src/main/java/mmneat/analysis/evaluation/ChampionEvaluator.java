@@ -18,6 +18,7 @@ import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.EvaluationFiles;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeJson;
 import mmneat.random.ResumableRandom;
@@ -103,7 +104,16 @@ public final class ChampionEvaluator implements AutoCloseable {
             return "# evaluation of network " + champion.genotype().id() + " (" + Integer.toHexString(fingerprint)
                     + "), "
                     + settings.version().name().toLowerCase(java.util.Locale.ROOT) + " task, " + rules.label()
-                    + " rules, seed " + seed;
+                    + " rules, seed " + seed + ghostLocations(settings);
+        }
+
+        /** Isolated games depend on the recording too. */
+        private String ghostLocations(MsPacManTaskSettings settings) {
+            return settings.version() == TaskVersion.ISOLATED
+                    ? ", ghost locations "
+                            + Integer.toHexString(
+                                    settings.rules().ghostLocations().hashCode())
+                    : "";
         }
 
         ChampionEvaluation finish() throws InterruptedException {

@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import mmneat.analysis.results.ChampionEvaluation;
@@ -20,6 +23,7 @@ import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import pacman.game.GhostLocations;
 
 class ChampionEvaluatorTest {
 
@@ -90,6 +94,33 @@ class ChampionEvaluatorTest {
         evaluate(Rules.TRAINING, 20, 1);
         assertThat(table().lines().skip(2).toList())
                 .isNotEqualTo(old.lines().skip(2).toList());
+    }
+
+    @Test
+    void otherGhostLocations_areNotMixedWithTheOldOnesGames() throws Exception {
+        Files.writeString(run.resolve("parameters.properties"), "task=isolated\nmethod=2M\nrunNumber=0\n");
+        Files.writeString(
+                run.resolve("champion.json"),
+                GenotypeJson.write(new InitialNetworks(26, ModuleLayout.withPreferenceNeurons(2, 1))
+                        .create(7, new ResumableRandom(5))));
+        List<String> lines =
+                new ArrayList<>(GhostLocations.shippedText().lines().toList());
+        Collections.reverse(lines);
+        GhostLocations reversed = GhostLocations.read("reversed", new StringReader(String.join("\n", lines)));
+
+        List<String> shippedGames = isolatedGames(GhostLocations.shipped());
+        List<String> reversedGames = isolatedGames(reversed);
+
+        assertThat(reversedGames).hasSameSizeAs(shippedGames).isNotEqualTo(shippedGames);
+        assertThat(isolatedGames(GhostLocations.shipped())).isEqualTo(shippedGames);
+    }
+
+    private List<String> isolatedGames(GhostLocations locations) throws Exception {
+        MsPacManTaskSettings settings = MsPacManTaskSettings.isolated(locations);
+        try (ChampionEvaluator evaluator = new ChampionEvaluator(Rules.TRAINING, 3, 11, 1)) {
+            evaluator.evaluate(List.of(new ChampionEvaluator.Entry(Champion.read(run), settings)));
+        }
+        return table().lines().skip(2).toList();
     }
 
     @Test
