@@ -15,7 +15,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** One hyperbolic tangent: {@link Tanh} against the Java library's. */
+/** One hyperbolic tangent: {@link Tanh} and {@link RoughTanh} against the Java library's. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
 @Warmup(iterations = 5, time = 1)
@@ -58,6 +58,16 @@ public class TanhBenchmark {
     public double[] strictMath() {
         for (int i = 0; i < ARGUMENTS; i++) {
             results[i] = StrictMath.tanh(arguments[i]);
+        }
+        return results;
+    }
+
+    /** Ours for decisions, independent arguments. */
+    @Benchmark
+    @OperationsPerInvocation(ARGUMENTS)
+    public double[] rough() {
+        for (int i = 0; i < ARGUMENTS; i++) {
+            results[i] = RoughTanh.of(arguments[i]);
         }
         return results;
     }
