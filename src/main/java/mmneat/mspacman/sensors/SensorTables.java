@@ -15,9 +15,6 @@ final class SensorTables {
     final OnwardJunctions onward;
     final WalkTables walks;
 
-    /** Open directions of each node, as bits. */
-    final byte[] openDirections;
-
     /** Power pills close to each node, as bits. */
     final long[] closePowerPills;
 
@@ -48,12 +45,6 @@ final class SensorTables {
         pills = new PillTables(graph, ways, paths);
         onward = new OnwardJunctions(graph, ways, paths);
         walks = new WalkTables(graph, lookAhead);
-        openDirections = new byte[graph.nodeCount()];
-        for (int v = 0; v < graph.nodeCount(); v++) {
-            for (int d = 0; d < 4; d++) {
-                openDirections[v] |= (byte) (graph.neighbour(v, d) != CorridorPositions.NONE ? 1 << d : 0);
-            }
-        }
         closePowerPills = new long[graph.nodeCount()];
         fromLairExit = new short[graph.nodeCount()];
         for (int v = 0; v < graph.lair(); v++) {

@@ -117,7 +117,7 @@ public final class Situation {
     /** Sets Ms. Pac-Man's node. */
     void placePacMan(int pacManNode) {
         node = pacManNode;
-        open = tables.openDirections[pacManNode];
+        open = tables.graph.openDirections(pacManNode);
     }
 
     /**

@@ -135,19 +135,10 @@ final class Ways {
         int position = corridors.positionOf(node);
         if (corridors.length(corridor) == 1) {
             // Nothing in the corridor says which way positions run: the later direction leads up.
-            return 1 << direction + 1 < openDirections(node);
+            return 1 << direction + 1 < graph.openDirections(node);
         }
         int next = graph.neighbour(node, direction);
         return graph.isJunction(next) ? position == 0 : corridors.positionOf(next) < position;
-    }
-
-    /** Open directions of a node, as bits. */
-    private int openDirections(int node) {
-        int bits = 0;
-        for (int d = 0; d < 4; d++) {
-            bits |= isOpen(node, d) ? 1 << d : 0;
-        }
-        return bits;
     }
 
     private long[] waysOn() {
