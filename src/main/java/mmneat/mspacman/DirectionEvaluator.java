@@ -33,6 +33,9 @@ public final class DirectionEvaluator {
     private final ModuleDivision division;
 
     private final NetworkStates states;
+    /** Preference for each direction, where they had to be compared to the last bit. */
+    private final double[] preferences = new double[DIRECTIONS];
+
     private final ModuleUse use;
     private final boolean usesTanh;
     private int livesBefore = -1;
@@ -112,6 +115,9 @@ public final class DirectionEvaluator {
             }
         }
         int clear = states.clearlyHighest(open, 0);
+        for (int d = 0; clear < 0 && d < DIRECTIONS; d++) {
+            preferences[d] = preference(d);
+        }
         // Quirk of the original: at a tie, the module counted may be that of a direction that is not taken.
         use.countDecision(
                 situation, states.get(preferredDirection(clear, random)).lastModule());
@@ -163,17 +169,17 @@ public final class DirectionEvaluator {
             random.nextInt(1);
             return clear;
         }
-        double highest = preference(0);
+        double highest = preferences[0];
         for (int d = 1; d < DIRECTIONS; d++) {
-            highest = Math.max(highest, preference(d));
+            highest = Math.max(highest, preferences[d]);
         }
         int tied = 0;
-        for (int d = 0; d < DIRECTIONS; d++) {
-            tied += preference(d) == highest ? 1 : 0;
+        for (double preference : preferences) {
+            tied += preference == highest ? 1 : 0;
         }
         int drawn = random.nextInt(tied);
         int direction = 0;
-        while (preference(direction) != highest || drawn-- > 0) {
+        while (preferences[direction] != highest || drawn-- > 0) {
             direction++;
         }
         return direction;
