@@ -51,6 +51,7 @@ final class PlayCommand extends WordCommand implements Runnable {
     private static final String HUMAN = "Human";
     private static final int PROGRESS_SECONDS = 5;
     private static final int LAST_LOOK_MILLISECONDS = 2000;
+    private static final long STALL_MILLISECONDS = 10_000;
 
     @Override
     List<Word> knownWords() {
@@ -178,16 +179,22 @@ final class PlayCommand extends WordCommand implements Runnable {
             rules.mazes().prepare();
             long start = System.nanoTime();
             long nextProgress = start + TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
-            for (int index = 0; index < games; index++) {
-                Game game = newGame(seeds);
-                play(game, index);
-                scores.addValue(game.getScore());
-                steps += game.getTotalTime();
-                if (System.nanoTime() > nextProgress) {
-                    nextProgress += TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
-                    notes.println(String.format(
-                            Locale.ROOT, "%d of %d games, mean score %.1f", index + 1, games, scores.getMean()));
-                    notes.flush();
+            try (StallNotice stall = new StallNotice(notes, STALL_MILLISECONDS)) {
+                for (int index = 0; index < games; index++) {
+                    Game game = newGame(seeds);
+                    if (!timed && pacMan != null) {
+                        stall.watch(game);
+                    }
+                    play(game, index);
+                    stall.watch(null);
+                    scores.addValue(game.getScore());
+                    steps += game.getTotalTime();
+                    if (System.nanoTime() > nextProgress) {
+                        nextProgress += TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
+                        notes.println(String.format(
+                                Locale.ROOT, "%d of %d games, mean score %.1f", index + 1, games, scores.getMean()));
+                        notes.flush();
+                    }
                 }
             }
             report((System.nanoTime() - start) / 1e9);

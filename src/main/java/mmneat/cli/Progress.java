@@ -3,7 +3,9 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -36,7 +38,6 @@ final class Progress {
     private final PrintWriter out;
     private final List<RunMonitor> monitors;
     private final boolean isTerminal;
-    private final long startNanos = System.nanoTime();
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
         Thread thread = new Thread(task, "progress");
         thread.setDaemon(true);
@@ -44,6 +45,7 @@ final class Progress {
     });
 
     private double portionAtStart = Double.NaN;
+    private long startNanos;
     private int linesOnTerminal;
     private boolean isClosed;
 
@@ -103,27 +105,49 @@ final class Progress {
     /** A line for each run at work, and one for all. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
-        int done = 0;
+        List<Snapshot> snapshots = new ArrayList<>();
         double portion = 0;
         double stepsPerSecond = 0;
         for (RunMonitor monitor : monitors) {
             Snapshot now = monitor.snapshot();
+            snapshots.add(now);
             if (now.phase() == Phase.RUNNING) {
                 stepsPerSecond += now.stepsPerSecond();
                 if (lines.size() < MOST_LINES) {
                     lines.add(runLine(monitor.run().number(), now));
                 }
             }
-            boolean isOver = now.phase() != Phase.RUNNING && now.phase() != Phase.WAITING;
-            done += isOver ? 1 : 0;
-            portion += isOver ? 1 : now.portion();
+            portion += isOver(now.phase()) ? 1 : now.portion();
         }
         if (monitors.size() > 1) {
-            lines.add("all runs: " + done + " of " + monitors.size() + " done, "
-                    + Texts.percent(portion / monitors.size()) + ", " + Texts.rate(stepsPerSecond) + ", "
-                    + timeLeft(portion));
+            lines.add("all runs: " + counts(snapshots) + ", " + Texts.percent(portion / monitors.size()) + ", "
+                    + Texts.rate(stepsPerSecond) + ", " + timeLeft(portion));
         }
         return lines;
+    }
+
+    /** Whether this process has nothing more to do for the run. */
+    private static boolean isOver(Phase phase) {
+        return phase != Phase.RUNNING && phase != Phase.WAITING;
+    }
+
+    /** How many runs are done, and how many never will be by this process. */
+    static String counts(List<Snapshot> runs) {
+        Map<Phase, Integer> counts = new EnumMap<>(Phase.class);
+        runs.forEach(run -> counts.merge(run.phase(), 1, Integer::sum));
+        StringBuilder text = new StringBuilder()
+                .append(counts.getOrDefault(Phase.FINISHED, 0) + counts.getOrDefault(Phase.ALREADY_FINISHED, 0))
+                .append(" of ")
+                .append(runs.size())
+                .append(" done");
+        Map.of(Phase.IN_USE, "in use elsewhere", Phase.FAILED, "failed", Phase.STOPPED, "stopped").entrySet().stream()
+                .filter(state -> counts.containsKey(state.getKey()))
+                .sorted(Map.Entry.comparingByKey())
+                .forEach(state -> text.append(", ")
+                        .append(counts.get(state.getKey()))
+                        .append(' ')
+                        .append(state.getValue()));
+        return text.toString();
     }
 
     private static String runLine(int number, Snapshot now) {
@@ -140,6 +164,7 @@ final class Progress {
         if (Double.isNaN(portionAtStart)) {
             // What earlier sessions did is known after the runs at work have begun.
             portionAtStart = portion;
+            startNanos = System.nanoTime();
         }
         double gained = portion - portionAtStart;
         if (gained <= 0) {

@@ -1,0 +1,81 @@
+package mmneat.cli;
+
+import java.io.PrintWriter;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import pacman.game.Game;
+
+/** Says so when a game does not go on: without a time limit nobody else notices a controller that never answers. */
+final class StallNotice implements AutoCloseable {
+
+    private static final String ASKING = "pacman.UntimedRun";
+
+    private final PrintWriter notes;
+    private final Thread player;
+    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
+        Thread thread = new Thread(task, "stall notice");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    private volatile Game game;
+
+    // What the last look saw; only the clock's thread knows these.
+    private Game gameSeen;
+    private int timeSeen;
+    private boolean told;
+
+    /**
+     * Looks after the games that the calling thread plays.
+     *
+     * @param milliseconds time between two looks; a game that has not gone on between them is stalled
+     */
+    StallNotice(PrintWriter notes, long milliseconds) {
+        this.notes = notes;
+        player = Thread.currentThread();
+        clock.scheduleAtFixedRate(() -> look(milliseconds), milliseconds, milliseconds, TimeUnit.MILLISECONDS);
+    }
+
+    /** From now on this game is played; null if none is. */
+    void watch(Game next) {
+        game = next;
+    }
+
+    private void look(long milliseconds) {
+        Game now = game;
+        if (now == null) {
+            return;
+        }
+        // Another thread writes the time; a value that is a little old only makes the notice a little late.
+        int time = now.getTotalTime();
+        boolean goesOn = now != gameSeen || time != timeSeen;
+        gameSeen = now;
+        timeSeen = time;
+        if (goesOn) {
+            told = false;
+        } else if (!told) {
+            told = true;
+            notes.println("mmneat: at time " + time + " of the game " + whoIsAsked() + " has not answered for "
+                    + milliseconds / 1000 + " s; with timed=true the game would go on without it. Ctrl-C ends.");
+            notes.flush();
+        }
+    }
+
+    /** The class whose method was called to get a move. */
+    private String whoIsAsked() {
+        StackTraceElement asked = null;
+        for (StackTraceElement frame : player.getStackTrace()) {
+            if (frame.getClassName().equals(ASKING)) {
+                break;
+            }
+            asked = frame;
+        }
+        return asked == null ? "a controller" : asked.getClassName();
+    }
+
+    @Override
+    public void close() {
+        clock.shutdownNow();
+    }
+}
