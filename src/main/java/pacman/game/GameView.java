@@ -50,9 +50,12 @@ public final class GameView extends JComponent {
     /** The views that somebody still holds: without any, debug drawing is dropped. */
     private static final Map<GameView, Boolean> VIEWS = Collections.synchronizedMap(new WeakHashMap<>());
 
-    private static final int WIDTH = Constants.GV_WIDTH * Constants.MAG;
-    private static final int HEIGHT = Constants.GV_HEIGHT * Constants.MAG + 20;
+    private static final int PICTURE_WIDTH = Constants.GV_WIDTH * Constants.MAG;
+    private static final int PICTURE_HEIGHT = Constants.GV_HEIGHT * Constants.MAG + 20;
     private static final int SHOW_DELAY_MILLISECONDS = 2000;
+
+    /** A window opens at the largest multiple of the picture's size that is not higher than this share of the screen. */
+    private static final double LARGEST_SHARE_OF_SCREEN = 0.55;
 
     private final Game game;
     private final Images images = new Images();
@@ -136,15 +139,25 @@ public final class GameView extends JComponent {
 
     @Override
     public void paintComponent(Graphics screen) {
-        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        BufferedImage image = new BufferedImage(PICTURE_WIDTH, PICTURE_HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics graphics = image.createGraphics();
         paintState(graphics, SwingUtilities.isEventDispatchThread() ? painted : game);
         graphics.dispose();
-        screen.drawImage(image, 0, 0, null);
+        drawScaled(image, screen);
         String name = IMAGE_TO_SAVE.getAndSet(null);
         if (name != null) {
             save(image, name);
         }
+    }
+
+    /** Draws the picture as large as the component, in whole multiples, so that pixels stay square and sharp. */
+    private void drawScaled(BufferedImage image, Graphics screen) {
+        int scale = Math.max(1, Math.min(getWidth() / PICTURE_WIDTH, getHeight() / PICTURE_HEIGHT));
+        screen.setColor(Color.BLACK);
+        screen.fillRect(0, 0, getWidth(), getHeight());
+        int left = Math.max(0, (getWidth() - scale * PICTURE_WIDTH) / 2);
+        int top = Math.max(0, (getHeight() - scale * PICTURE_HEIGHT) / 2);
+        screen.drawImage(image, left, top, scale * PICTURE_WIDTH, scale * PICTURE_HEIGHT, null);
     }
 
     private static void save(BufferedImage image, String name) {
@@ -159,7 +172,7 @@ public final class GameView extends JComponent {
     /** Paints in the order of spec/controllers.md, section 7.2; the offsets are those of its table. */
     private void paintState(Graphics graphics, Game state) {
         graphics.setColor(Color.BLACK);
-        graphics.fillRect(0, 0, WIDTH, HEIGHT);
+        graphics.fillRect(0, 0, PICTURE_WIDTH, PICTURE_HEIGHT);
         Maze maze = state.shownMaze();
         graphics.drawImage(
                 mazePictures.computeIfAbsent(maze, drawn -> MazePicture.of(drawn, state.shownMazeIndex())), 2, 6, null);
@@ -254,7 +267,7 @@ public final class GameView extends JComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(WIDTH, HEIGHT);
+        return new Dimension(PICTURE_WIDTH, PICTURE_HEIGHT);
     }
 
     /**
@@ -278,16 +291,17 @@ public final class GameView extends JComponent {
         return frame;
     }
 
-    /** A window that holds a view. Closing it ends the program. */
+    /** A window that holds a view, of any size. Closing it ends the program. */
     public class GameFrame extends JFrame {
 
         public GameFrame(JComponent view) {
+            Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+            int scale = Math.max(1, (int) (LARGEST_SHARE_OF_SCREEN * screen.height / PICTURE_HEIGHT));
+            getContentPane().setPreferredSize(new Dimension(scale * PICTURE_WIDTH, scale * PICTURE_HEIGHT));
             getContentPane().add(BorderLayout.CENTER, view);
             pack();
-            Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
             setLocation(screen.width * 3 / 8, screen.height * 3 / 8);
             setTitle("Ms. Pac-Man");
-            setResizable(false);
             setDefaultCloseOperation(EXIT_ON_CLOSE);
             setVisible(true);
             repaint();

@@ -47,6 +47,23 @@ class GameViewTest {
     }
 
     @Test
+    void picture_growsWithTheWindow_inWholeMultiples() {
+        BufferedImage plain = painted();
+        view.setSize(2 * 228 + 60, 2 * 280 + 200);
+        BufferedImage large = new BufferedImage(view.getWidth(), view.getHeight(), BufferedImage.TYPE_INT_RGB);
+        Graphics graphics = large.createGraphics();
+        view.paintComponent(graphics);
+        graphics.dispose();
+        for (int y = 0; y < 2 * 280; y++) {
+            for (int x = 0; x < 2 * 228; x++) {
+                assertThat(large.getRGB(30 + x, 100 + y)).isEqualTo(plain.getRGB(x / 2, y / 2));
+            }
+        }
+        assertThat(colour(large, 29, 100)).isEqualTo(Color.BLACK);
+        assertThat(colour(large, 29, 400)).isEqualTo(Color.BLACK);
+    }
+
+    @Test
     void withoutADisplay_nothingIsShown() {
         assertThat(view.showGame()).isSameAs(view);
         assertThat(view.getFrame()).isNull();
