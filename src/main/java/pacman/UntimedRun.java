@@ -24,6 +24,7 @@ import pacman.game.Constants;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
+import pacman.game.GhostMoves;
 
 /**
  * A game in which the controllers are asked directly, in the calling thread, however long they take.
@@ -109,36 +110,36 @@ final class UntimedRun {
     /** Asks both controllers and advances the game. */
     void tick(Game game) {
         long due = due(DueTime.ONCE_PER_TICK);
-        MOVE move = answer(pacMan, readOnlyPacMan, game, due);
+        MOVE move;
+        EnumMap<GHOST, MOVE> moves = null;
+        int directMoves = GhostMoves.NONE;
+        Controller<?> asked = pacMan;
+        try {
+            move = answer(pacMan, readOnlyPacMan, game, due);
+            asked = ghosts;
+            if (directGhosts == null) {
+                moves = answer(ghosts, readOnlyGhosts, game, due);
+            } else {
+                scratch.continueAs(game.rnd);
+                directMoves = directGhosts.decideMoves(game, scratch);
+            }
+        } catch (Throwable failure) {
+            failure.addSuppressed(new ControllerFailure(asked, game.getTotalTime()));
+            throw failure;
+        }
         if (directGhosts == null) {
-            game.advanceGame(move, answer(ghosts, readOnlyGhosts, game, due));
+            game.advanceGame(move, moves);
         } else {
-            game.advanceGame(move, directAnswer(game));
+            game.advanceGame(move, directMoves);
         }
     }
 
     private <T> T answer(Controller<T> controller, ReadOnlyController<T> readOnly, Game game, long due) {
-        try {
-            if (readOnly != null) {
-                scratch.continueAs(game.rnd);
-                return readOnly.decide(game, scratch);
-            }
-            return controller.getMove(
-                    game.copy(), dueTime == DueTime.PER_CONTROLLER ? due(DueTime.PER_CONTROLLER) : due);
-        } catch (Throwable failure) {
-            failure.addSuppressed(new ControllerFailure(controller, game.getTotalTime()));
-            throw failure;
-        }
-    }
-
-    private int directAnswer(Game game) {
-        try {
+        if (readOnly != null) {
             scratch.continueAs(game.rnd);
-            return directGhosts.decideMoves(game, scratch);
-        } catch (Throwable failure) {
-            failure.addSuppressed(new ControllerFailure(ghosts, game.getTotalTime()));
-            throw failure;
+            return readOnly.decide(game, scratch);
         }
+        return controller.getMove(game.copy(), dueTime == DueTime.PER_CONTROLLER ? due(DueTime.PER_CONTROLLER) : due);
     }
 
     /** The wall clock is read only if somebody is told the time. */
