@@ -3,31 +3,16 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
 /** Commands that work with the champions that come with the program, as a user types them. */
-class ChampionCommandsTest {
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter errors = new StringWriter();
+class ChampionCommandsTest extends CommandTest {
 
     @TempDir
     private Path folder;
-
-    private int execute(String... arguments) {
-        out.getBuffer().setLength(0);
-        errors.getBuffer().setLength(0);
-        CommandLine line = Main.commandLine();
-        line.setOut(new PrintWriter(out, true));
-        line.setErr(new PrintWriter(errors, true));
-        return line.execute(arguments);
-    }
 
     private void assertMistake(String message, String... arguments) {
         assertThat(execute(arguments)).isEqualTo(2);

@@ -2,28 +2,15 @@ package mmneat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
 /** The main job, {@code status} and {@code params} as words on the command line. */
-class MainJobTest {
+class MainJobTest extends CommandTest {
 
     @TempDir
     Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter errors = new StringWriter();
-
-    private int execute(String... words) {
-        CommandLine line = Main.commandLine();
-        line.setOut(new PrintWriter(out, true));
-        line.setErr(new PrintWriter(errors, true));
-        return line.execute(words);
-    }
 
     private int evolve(String... more) {
         String[] words = new String[more.length + 5];
@@ -81,14 +68,15 @@ class MainJobTest {
 
     @Test
     void mistakes_areOneLine_withExitCode2() {
-        assertThat(execute("task=blended", "maxGen=3")).isEqualTo(2);
-        assertThat(execute("task=isolated", "mazePowerPillGhostMapping=none.txt"))
-                .isEqualTo(2);
-        assertThat(execute("evolve")).isEqualTo(2);
-        assertThat(errors.toString().lines())
-                .hasSize(3)
-                .anyMatch(line -> line.contains("did you mean 'maxGens'?"))
-                .anyMatch(line -> line.contains("none.txt"));
+        assertMistake("did you mean 'maxGens'?", "task=blended", "maxGen=3");
+        assertMistake("none.txt", "task=isolated", "mazePowerPillGhostMapping=none.txt");
+        assertMistake("'evolve' is not understood", "evolve");
+    }
+
+    private void assertMistake(String message, String... words) {
+        assertThat(execute(words)).isEqualTo(2);
+        assertThat(errors.toString().lines()).singleElement().satisfies(line -> assertThat(line)
+                .contains(message));
     }
 
     @Test

@@ -3,8 +3,6 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.analysis.results.RunFixture;
@@ -17,15 +15,11 @@ import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
-class NetworkCommandTest {
+class NetworkCommandTest extends CommandTest {
 
     private static final Genotype NETWORK =
             new InitialNetworks(3, ModuleLayout.withPreferenceNeurons(2, 1)).create(7, new ResumableRandom(5));
-
-    private final StringWriter output = new StringWriter();
-    private final StringWriter errors = new StringWriter();
 
     @TempDir
     private Path folder;
@@ -37,40 +31,33 @@ class NetworkCommandTest {
         file = Files.writeString(folder.resolve("champion.json"), GenotypeJson.write(NETWORK));
     }
 
-    private int run(String... arguments) {
-        CommandLine line = Main.commandLine();
-        line.setOut(new PrintWriter(output));
-        line.setErr(new PrintWriter(errors));
-        return line.execute(arguments);
-    }
-
     @Test
     void network_isDrawnAsSvg_ifNothingElseIsSaid() {
-        assertThat(run("network", file.toString())).isZero();
-        assertThat(output.toString()).startsWith("<svg").contains("Network 7: 3 inputs");
+        assertThat(execute("network", file.toString())).isZero();
+        assertThat(out.toString()).startsWith("<svg").contains("Network 7: 3 inputs");
     }
 
     @Test
     void format_isTakenFromTheEndingOfTheFile() throws IOException {
         Path xml = folder.resolve("champion.xml");
 
-        assertThat(run("network", file.toString(), "out=" + xml)).isZero();
+        assertThat(execute("network", file.toString(), "out=" + xml)).isZero();
 
         assertThat(GenotypeFiles.read(xml)).isEqualTo(NETWORK);
-        assertThat(output.toString()).isEmpty();
+        assertThat(out.toString()).isEmpty();
     }
 
     @Test
     void format_canBeNamed() {
-        assertThat(run("network", file.toString(), "format=dot")).isZero();
-        assertThat(output.toString()).startsWith("digraph");
-        assertThat(run("network", file.toString(), "format=graphml")).isZero();
-        assertThat(output.toString()).contains("<graphml");
+        assertThat(execute("network", file.toString(), "format=dot")).isZero();
+        assertThat(out.toString()).startsWith("digraph");
+        assertThat(execute("network", file.toString(), "format=graphml")).isZero();
+        assertThat(out.toString()).contains("<graphml");
     }
 
     @Test
     void unknownFormat_isAMistake() {
-        assertThat(run("network", file.toString(), "format=pdf")).isEqualTo(2);
+        assertThat(execute("network", file.toString(), "format=pdf")).isEqualTo(2);
         assertThat(errors.toString()).startsWith("mmneat: format=pdf: must be one of svg, dot, graphml, json, xml");
     }
 
@@ -81,44 +68,44 @@ class NetworkCommandTest {
                 run.resolve("champion.json"),
                 GenotypeJson.write(new InitialNetworks(30, ModuleLayout.withPreferenceNeurons(2, 1))
                         .create(1, new ResumableRandom(5))));
-        assertThat(run("network", run.toString())).isZero();
-        assertThat(output.toString()).contains("Ghost 4 approaching", "module 2");
+        assertThat(execute("network", run.toString())).isZero();
+        assertThat(out.toString()).contains("Ghost 4 approaching", "module 2");
         assertThat(errors.toString()).isEmpty();
 
         Path alone = Files.copy(champion, folder.resolve("alone.json"));
-        assertThat(run("network", alone.toString())).isZero();
+        assertThat(execute("network", alone.toString())).isZero();
         assertThat(errors.toString()).startsWith("network: inputs named as in task=blended, which has as many");
-        assertThat(run("network", alone.toString(), "task=isolated")).isEqualTo(2);
+        assertThat(execute("network", alone.toString(), "task=isolated")).isEqualTo(2);
         assertThat(errors.toString()).contains("30 inputs, but this version of the task has 26 sensors");
     }
 
     @Test
     void inputs_ofAnUnknownTask_areNumbered_andTheReasonIsTold() {
-        assertThat(run("network", file.toString())).isZero();
-        assertThat(output.toString()).contains("input 2", "module 1");
+        assertThat(execute("network", file.toString())).isZero();
+        assertThat(out.toString()).contains("input 2", "module 1");
         assertThat(errors.toString().lines()).hasSize(1);
         assertThat(errors.toString()).startsWith("network: inputs are numbered: ");
         errors.getBuffer().setLength(0);
-        assertThat(run("network", file.toString(), "task=none")).isZero();
+        assertThat(execute("network", file.toString(), "task=none")).isZero();
         assertThat(errors.toString()).isEmpty();
     }
 
     @Test
     void missingFile_isAMistake() {
-        assertThat(run("network", folder.resolve("none.json").toString())).isEqualTo(2);
+        assertThat(execute("network", folder.resolve("none.json").toString())).isEqualTo(2);
         assertThat(errors.toString()).contains("none.json: there is no such file");
     }
 
     @Test
     void folderWithoutChampion_isAMistake() throws IOException {
         Path empty = Files.createDirectory(folder.resolve("empty"));
-        assertThat(run("network", empty.toString())).isEqualTo(2);
+        assertThat(execute("network", empty.toString())).isEqualTo(2);
         assertThat(errors.toString()).contains("there is no champion in this folder");
     }
 
     @Test
     void missingName_isAMistake() {
-        assertThat(run("network")).isEqualTo(2);
+        assertThat(execute("network")).isEqualTo(2);
         assertThat(errors.toString()).contains("no network is given");
     }
 
@@ -126,7 +113,7 @@ class NetworkCommandTest {
     void damagedFile_isAMistake_inOneLine() throws IOException {
         Files.writeString(file, GenotypeJson.write(NETWORK).replace("\"modules\" : 2", "\"modules\" : \"two\""));
 
-        assertThat(run("network", file.toString())).isEqualTo(2);
+        assertThat(execute("network", file.toString())).isEqualTo(2);
         assertThat(errors.toString().lines()).hasSize(1);
         assertThat(errors.toString()).contains("champion.json: modules: ");
     }

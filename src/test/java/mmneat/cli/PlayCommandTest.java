@@ -3,38 +3,17 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.CompiledClasses;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
 /** The commands play and replay, as a user types them. */
-class PlayCommandTest {
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter errors = new StringWriter();
+class PlayCommandTest extends CommandTest {
 
     @TempDir
     private Path folder;
-
-    @BeforeEach
-    void clear() {
-        out.getBuffer().setLength(0);
-        errors.getBuffer().setLength(0);
-    }
-
-    private int execute(String... arguments) {
-        clear();
-        CommandLine line = Main.commandLine();
-        line.setOut(new PrintWriter(out, true));
-        line.setErr(new PrintWriter(errors, true));
-        return line.execute(arguments);
-    }
 
     private String scoreLine() {
         return out.toString().lines().toList().get(1);

@@ -3,44 +3,31 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
-class ProcessCommandTest {
+class ProcessCommandTest extends CommandTest {
 
     private static final String TASK = "task=mmneat.evolution.SchafferTask";
-
-    private final StringWriter output = new StringWriter();
-    private final StringWriter errors = new StringWriter();
 
     @TempDir
     private Path base;
 
-    private int run(String... arguments) {
-        CommandLine line = Main.commandLine();
-        line.setOut(new PrintWriter(output));
-        line.setErr(new PrintWriter(errors));
-        return line.execute(arguments);
-    }
-
     @Test
     void runsThatHaveBegun_areSummarised() throws IOException {
-        assertThat(run(TASK, "base=" + base, "saveTo=A", "log=X", "runs=2", "mu=4", "maxGens=3", "quiet=true"))
+        assertThat(execute(TASK, "base=" + base, "saveTo=A", "log=X", "runs=2", "mu=4", "maxGens=3", "quiet=true"))
                 .as(errors.toString())
                 .isZero();
 
-        assertThat(run("process", TASK, "base=" + base, "saveTo=A", "log=X", "runs=5"))
+        assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X", "runs=5"))
                 .as(errors.toString())
                 .isZero();
 
-        assertThat(output.toString()).contains("2 of 5 runs summarised");
+        assertThat(out.toString()).contains("2 of 5 runs summarised");
         List<String> averages = Files.readAllLines(base.resolve("XAVG_parents_log.txt"));
         assertThat(averages).hasSize(4);
         assertThat(averages.get(3)).startsWith("3.0\t0.0\t");
@@ -52,7 +39,8 @@ class ProcessCommandTest {
 
     @Test
     void nothingThere_saysSo() {
-        assertThat(run("process", TASK, "base=" + base, "saveTo=A", "log=X")).isEqualTo(2);
+        assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X"))
+                .isEqualTo(2);
         assertThat(errors.toString())
                 .isEqualToIgnoringNewLines("mmneat: " + base.resolve("A0")
                         + ": no run has completed a generation; give the words that the runs were made with");
@@ -60,11 +48,12 @@ class ProcessCommandTest {
 
     @Test
     void damagedLog_isNamed() throws IOException {
-        assertThat(run(TASK, "base=" + base, "saveTo=A", "log=X", "mu=4", "maxGens=1", "quiet=true"))
+        assertThat(execute(TASK, "base=" + base, "saveTo=A", "log=X", "mu=4", "maxGens=1", "quiet=true"))
                 .isZero();
         Path log = Files.writeString(base.resolve("A0/X0_parents_log.txt"), "0\t1.0\tmuch\t\n");
 
-        assertThat(run("process", TASK, "base=" + base, "saveTo=A", "log=X")).isEqualTo(2);
+        assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X"))
+                .isEqualTo(2);
 
         assertThat(errors.toString()).startsWith("mmneat: " + log + ", line 1: not a row of numbers: 0\t1.0\tmuch");
     }

@@ -3,8 +3,6 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.analysis.HeadlessChromium;
@@ -16,23 +14,12 @@ import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
 /** The page about experiments, and the replays that it links to, as their readers see them. */
-class ReportCommandTest {
+class ReportCommandTest extends CommandTest {
 
     @TempDir
     Path base;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter errors = new StringWriter();
-
-    private int execute(String... arguments) {
-        CommandLine line = Main.commandLine();
-        line.setOut(new PrintWriter(out, true));
-        line.setErr(new PrintWriter(errors, true));
-        return line.execute(arguments);
-    }
 
     @BeforeEach
     void twoMethodsWithChampions() throws IOException {
