@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
@@ -33,6 +34,7 @@ import org.junit.jupiter.api.Assumptions;
 public final class HeadlessChromium implements AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 60;
+    private static final int DELETION_ATTEMPTS = 50;
 
     private final ObjectMapper json = new ObjectMapper();
     private final Process process;
@@ -252,21 +254,46 @@ public final class HeadlessChromium implements AutoCloseable {
     @Override
     public void close() throws IOException {
         socket.abort();
+        // Its children outlive it a little, and write into the profile until they end.
+        List<ProcessHandle> all = Stream.concat(process.descendants(), Stream.of(process.toHandle()))
+                .toList();
         process.destroy();
-        try {
-            if (!process.waitFor(10, TimeUnit.SECONDS)) {
-                process.destroyForcibly().waitFor();
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        all.forEach(HeadlessChromium::awaitEnd);
         deleteProfile();
     }
 
+    private static void awaitEnd(ProcessHandle ended) {
+        try {
+            ended.onExit().get(10, TimeUnit.SECONDS);
+        } catch (TimeoutException e) {
+            ended.destroyForcibly();
+            ended.onExit().join();
+        } catch (ExecutionException e) {
+            throw new IllegalStateException(e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     private void deleteProfile() throws IOException {
-        try (Stream<Path> files = Files.walk(profile)) {
-            for (Path file : files.sorted(java.util.Comparator.reverseOrder()).toList()) {
-                Files.deleteIfExists(file);
+        for (int attempt = 1; ; attempt++) {
+            try (Stream<Path> files = Files.walk(profile)) {
+                for (Path file :
+                        files.sorted(java.util.Comparator.reverseOrder()).toList()) {
+                    Files.deleteIfExists(file);
+                }
+                return;
+            } catch (IOException | UncheckedIOException e) {
+                // A process that nobody knows of any more may still have put a file there, or taken one away.
+                if (attempt == DELETION_ATTEMPTS) {
+                    throw e;
+                }
+            }
+            try {
+                Thread.sleep(100);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                return;
             }
         }
     }
