@@ -8,6 +8,7 @@ import mmneat.neat.Genotype;
 import mmneat.neat.network.ModuleArbitration;
 import mmneat.neat.network.Network;
 import mmneat.neat.network.NetworkStates;
+import mmneat.random.Argmax;
 import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
@@ -169,20 +170,7 @@ public final class DirectionEvaluator {
             random.nextInt(1);
             return clear;
         }
-        double highest = preferences[0];
-        for (int d = 1; d < DIRECTIONS; d++) {
-            highest = Math.max(highest, preferences[d]);
-        }
-        int tied = 0;
-        for (double preference : preferences) {
-            tied += preference == highest ? 1 : 0;
-        }
-        int drawn = random.nextInt(tied);
-        int direction = 0;
-        while (preferences[direction] != highest || drawn-- > 0) {
-            direction++;
-        }
-        return direction;
+        return Argmax.of(preferences, random);
     }
 
     /** How modules were used since the game started; changes with further steps. */

@@ -2,6 +2,7 @@ package mmneat.neat.network;
 
 import java.util.Arrays;
 import mmneat.neat.ModuleLayout;
+import mmneat.random.Argmax;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -42,29 +43,6 @@ final class ModuleArbiter {
         }
     }
 
-    /** One of the indices of the highest value, drawn by one {@code nextInt} also if there is only one. */
-    static int highest(double[] values, ResumableRandom random) {
-        double highest = Double.NEGATIVE_INFINITY;
-        int tied = 0;
-        for (double value : values) {
-            if (value > highest) {
-                highest = value;
-                tied = 0;
-            }
-            tied += value == highest ? 1 : 0;
-        }
-        if (tied == 0) {
-            throw new IllegalStateException("preferences are not numbers: " + Arrays.toString(values));
-        }
-        int chosen = random.nextInt(tied);
-        int index = -1;
-        while (chosen >= 0) {
-            index++;
-            chosen -= values[index] == highest ? 1 : 0;
-        }
-        return index;
-    }
-
     /** Chooses a module after a step; one {@code nextInt} for the highest, one {@code nextDouble} for softmax. */
     int choose(NetworkState state, int preset, ResumableRandom random) {
         for (int module = 0; module < preferences.length; module++) {
@@ -74,7 +52,7 @@ final class ModuleArbiter {
                 preferences[module] = ModuleArbitration.RULED_OUT;
             }
         }
-        int chosen = arbitration.softmaxTemperature() > 0 ? drawByShare(random) : highest(preferences, random);
+        int chosen = arbitration.softmaxTemperature() > 0 ? drawByShare(random) : Argmax.of(preferences, random);
         tire(chosen);
         return chosen;
     }

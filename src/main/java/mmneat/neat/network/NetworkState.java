@@ -1,6 +1,7 @@
 package mmneat.neat.network;
 
 import java.util.Arrays;
+import mmneat.random.Argmax;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -295,7 +296,7 @@ public final class NetworkState {
         for (int module = 0; module < preferences.length; module++) {
             preferences[module] = preference(module);
         }
-        return ModuleArbiter.highest(preferences, random);
+        return Argmax.of(preferences, random);
     }
 
     private int clearlyPreferredModule() {
