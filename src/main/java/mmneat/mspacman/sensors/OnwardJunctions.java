@@ -54,7 +54,7 @@ final class OnwardJunctions {
         }
         for (int v = 0; v < graph.lair(); v++) {
             for (int d = 0; d < 4; d++) {
-                if (graph.neighbour(v, d) != CorridorPositions.NONE) {
+                if (graph.isOpen(v, d)) {
                     moves[4 * v + d] = (byte) movesOn(ways, v, d);
                 }
             }
@@ -65,7 +65,7 @@ final class OnwardJunctions {
         int from = ways.junctionOfRow(row);
         int index = 4 * row + move;
         junctions[index] = CorridorPositions.NONE;
-        if (graph.neighbour(from, move) != CorridorPositions.NONE) {
+        if (graph.isOpen(from, move)) {
             junctions[index] = ways.junction(ways.leaving(from, move));
             lengths[index] = paths.rowPath(row, junctions[index], path, 0);
             longest[row] = Math.max(longest[row], lengths[index]);
@@ -79,7 +79,7 @@ final class OnwardJunctions {
         int next = ways.junction(ways.leaving(node, direction));
         int bits = 0;
         for (int m = 0; m < 4; m++) {
-            if (graph.neighbour(next, m) != CorridorPositions.NONE) {
+            if (graph.isOpen(next, m)) {
                 long way = ways.leaving(next, m);
                 // The way back is excluded because she is on it or at its end.
                 if (ways.junction(way) != node && ways.ahead(way, node) < 0) {

@@ -56,7 +56,7 @@ final class PathTables {
         besideJunction = new boolean[nodes];
         for (int j = 0; j < junctions; j++) {
             for (int d = 0; d < 4; d++) {
-                if (isOpen(graph.junctionNode(j), d)) {
+                if (graph.isOpen(graph.junctionNode(j), d)) {
                     besideJunction[graph.neighbour(graph.junctionNode(j), d)] = true;
                 }
             }
@@ -76,10 +76,6 @@ final class PathTables {
         }
         rows = new char[count * nodes];
         fillRows();
-    }
-
-    private boolean isOpen(int node, int direction) {
-        return graph.neighbour(node, direction) != NONE;
     }
 
     // ---- Lengths ----
@@ -113,7 +109,7 @@ final class PathTables {
             return undirectedFromJunction(from, to);
         }
         for (int d = 0; d < 4; d++) {
-            if (isOpen(from, d)) {
+            if (graph.isOpen(from, d)) {
                 int along = alongCorridor(ways.leaving(from, d), to);
                 if (along > 0) {
                     return along;
@@ -122,7 +118,7 @@ final class PathTables {
         }
         int shortest = Integer.MAX_VALUE;
         for (int d = 0; d < 4; d++) {
-            if (isOpen(from, d)) {
+            if (graph.isOpen(from, d)) {
                 long leg = ways.leaving(from, d);
                 shortest = Math.min(shortest, Ways.steps(leg) + undirectedFromJunction(ways.junction(leg), to));
             }
@@ -142,7 +138,7 @@ final class PathTables {
         }
         int shortest = Integer.MAX_VALUE;
         for (int d = 0; d < 4; d++) {
-            if (isOpen(to, d)) {
+            if (graph.isOpen(to, d)) {
                 long leg = ways.leaving(to, d);
                 shortest = Math.min(shortest, lengths[graph.junctionNumber(ways.junction(leg))] + Ways.steps(leg));
             }
@@ -302,7 +298,7 @@ final class PathTables {
         int chosen = NONE;
         int shortest = Integer.MAX_VALUE;
         for (int d = 0; d < 4; d++) {
-            if (isOpen(target, d)) {
+            if (graph.isOpen(target, d)) {
                 long leg = ways.leaving(target, d);
                 if (ways.junction(leg) == ways.junctionOfRow(row)) {
                     int entry = opposite(arrivalOf(leg));

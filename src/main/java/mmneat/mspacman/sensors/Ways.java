@@ -63,7 +63,7 @@ final class Ways {
             int neutral = count++;
             for (int m = 0; m < 4; m++) {
                 // A move by which the junction cannot have been entered forbids nothing, like no move.
-                rowOf[5 * j + m] = isOpen(graph.junctionNode(j), opposite(m)) ? count++ : neutral;
+                rowOf[5 * j + m] = graph.isOpen(graph.junctionNode(j), opposite(m)) ? count++ : neutral;
             }
             rowOf[5 * j + NEUTRAL] = neutral;
         }
@@ -88,15 +88,11 @@ final class Ways {
         continuing = waysOn();
     }
 
-    private boolean isOpen(int node, int direction) {
-        return graph.neighbour(node, direction) != NONE;
-    }
-
     private long[] waysOut() {
         long[] ways = new long[4 * nodes];
         for (int v = 0; v < nodes; v++) {
             for (int d = 0; d < 4; d++) {
-                if (isOpen(v, d)) {
+                if (graph.isOpen(v, d)) {
                     ways[4 * v + d] = wayOut(v, d);
                 }
             }
@@ -159,7 +155,7 @@ final class Ways {
     private long wayOn(int node, int lastMove) {
         long best = 0;
         for (int d = 0; d < 4; d++) {
-            if (isOpen(node, d) && (lastMove == NEUTRAL || d != opposite(lastMove))) {
+            if (graph.isOpen(node, d) && (lastMove == NEUTRAL || d != opposite(lastMove))) {
                 long way = leaving[4 * node + d];
                 if (best == 0 || steps(way) < steps(best)) {
                     best = way;

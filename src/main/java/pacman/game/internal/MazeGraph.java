@@ -270,6 +270,11 @@ public final class MazeGraph {
         return neighbours[MOVES * node + move];
     }
 
+    /** Whether a node has a neighbour in a direction 0 to 3. */
+    public boolean isOpen(int node, int direction) {
+        return neighbour(node, direction) >= 0;
+    }
+
     /** Bit set of the directions in which a node has a neighbour. */
     public int openDirections(int node) {
         return openDirections[node];
