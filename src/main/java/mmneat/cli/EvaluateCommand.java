@@ -20,6 +20,7 @@ import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
+import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.UserError;
 import picocli.CommandLine.Command;
 
@@ -117,11 +118,7 @@ final class EvaluateCommand extends WordCommand implements Runnable {
     private ScheduledExecutorService progress(ChampionEvaluator evaluator, long all) {
         PrintWriter notes = notes();
         long start = System.nanoTime();
-        ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
-            Thread thread = new Thread(task, "progress");
-            thread.setDaemon(true);
-            return thread;
-        });
+        ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(DaemonThreads.named("progress"));
         clock.scheduleAtFixedRate(
                 () -> {
                     notes.println(progressLine(evaluator, all, System.nanoTime() - start));

@@ -182,9 +182,7 @@ final class PlayCommand extends WordCommand implements Runnable {
             try (StallNotice stall = new StallNotice(notes, STALL_MILLISECONDS)) {
                 for (int index = 0; index < games; index++) {
                     Game game = newGame(seeds);
-                    if (!timed && pacMan != null) {
-                        stall.watch(game);
-                    }
+                    stall.watch(hasTimeLimit() ? null : game);
                     play(game, index);
                     stall.watch(null);
                     scores.addValue(game.getScore());
@@ -198,6 +196,11 @@ final class PlayCommand extends WordCommand implements Runnable {
                 }
             }
             report((System.nanoTime() - start) / 1e9);
+        }
+
+        /** Whether the game goes on without a controller that is late; a human's always does. */
+        private boolean hasTimeLimit() {
+            return timed || pacMan == null;
         }
 
         /** By MM-NEAT's rules games draw from the run's generator too; the competition's have only their own. */
@@ -227,7 +230,7 @@ final class PlayCommand extends WordCommand implements Runnable {
         private void play(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
             if (recording != null) {
                 record(game, player, team);
-            } else if (timed || pacMan == null) {
+            } else if (hasTimeLimit()) {
                 executor.runGameTimedSpeedOptimised(player, team, view, view, game);
             } else if (view) {
                 executor.runGame(player, team, game, true, Constants.DELAY);

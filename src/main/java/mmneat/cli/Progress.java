@@ -3,12 +3,11 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.ExperimentPlan;
 import mmneat.experiment.RunMonitor;
 import mmneat.experiment.RunMonitor.Phase;
@@ -38,11 +37,8 @@ final class Progress {
     private final PrintWriter out;
     private final List<RunMonitor> monitors;
     private final boolean isTerminal;
-    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread thread = new Thread(task, "progress");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ScheduledExecutorService clock =
+            Executors.newSingleThreadScheduledExecutor(DaemonThreads.named("progress"));
 
     private double portionAtStart = Double.NaN;
     private long startNanos;
@@ -133,21 +129,19 @@ final class Progress {
 
     /** How many runs are done, and how many never will be by this process. */
     static String counts(List<Snapshot> runs) {
-        Map<Phase, Integer> counts = new EnumMap<>(Phase.class);
-        runs.forEach(run -> counts.merge(run.phase(), 1, Integer::sum));
-        StringBuilder text = new StringBuilder()
-                .append(counts.getOrDefault(Phase.FINISHED, 0) + counts.getOrDefault(Phase.ALREADY_FINISHED, 0))
-                .append(" of ")
-                .append(runs.size())
-                .append(" done");
-        Map.of(Phase.IN_USE, "in use elsewhere", Phase.FAILED, "failed", Phase.STOPPED, "stopped").entrySet().stream()
-                .filter(state -> counts.containsKey(state.getKey()))
-                .sorted(Map.Entry.comparingByKey())
-                .forEach(state -> text.append(", ")
-                        .append(counts.get(state.getKey()))
-                        .append(' ')
-                        .append(state.getValue()));
-        return text.toString();
+        return count(runs, Phase.FINISHED) + count(runs, Phase.ALREADY_FINISHED) + " of " + runs.size() + " done"
+                + others(runs, Phase.IN_USE, "in use elsewhere")
+                + others(runs, Phase.FAILED, "failed")
+                + others(runs, Phase.STOPPED, "stopped");
+    }
+
+    private static String others(List<Snapshot> runs, Phase phase, String state) {
+        long count = count(runs, phase);
+        return count == 0 ? "" : ", " + count + " " + state;
+    }
+
+    private static long count(List<Snapshot> runs, Phase phase) {
+        return runs.stream().filter(run -> run.phase() == phase).count();
     }
 
     private static String runLine(int number, Snapshot now) {

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import mmneat.evolution.DaemonThreads;
 import pacman.game.Game;
 
 /** Says so when a game does not go on: without a time limit nobody else notices a controller that never answers. */
@@ -13,11 +14,8 @@ final class StallNotice implements AutoCloseable {
 
     private final PrintWriter notes;
     private final Thread player;
-    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread thread = new Thread(task, "stall notice");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ScheduledExecutorService clock =
+            Executors.newSingleThreadScheduledExecutor(DaemonThreads.named("stall notice"));
 
     private volatile Game game;
 

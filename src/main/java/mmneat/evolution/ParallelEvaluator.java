@@ -34,11 +34,7 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
      */
     public ParallelEvaluator(Supplier<Task> tasks, int threadCount, long runSeed) {
         this.runSeed = runSeed;
-        this.threads = Executors.newFixedThreadPool(threadCount, work -> {
-            Thread thread = new Thread(work, "evaluation");
-            thread.setDaemon(true);
-            return thread;
-        });
+        this.threads = Executors.newFixedThreadPool(threadCount, DaemonThreads.named("evaluation"));
         this.idleTasks = new ArrayBlockingQueue<>(threadCount);
         for (int i = 0; i < threadCount; i++) {
             idleTasks.add(tasks.get());

@@ -12,6 +12,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Supplier;
+import mmneat.evolution.DaemonThreads;
 import mmneat.evolution.Task;
 
 /**
@@ -98,11 +99,7 @@ public final class Experiment {
         int threads = threads();
         boolean splitsRuns = plan.parameters().flag("parallelEvaluations");
         ExecutorService workers = Executors.newFixedThreadPool(
-                splitsRuns ? 1 : Math.min(threads, plan.runs().size()), work -> {
-                    Thread thread = new Thread(work, "run");
-                    thread.setDaemon(true);
-                    return thread;
-                });
+                splitsRuns ? 1 : Math.min(threads, plan.runs().size()), DaemonThreads.named("run"));
         try {
             List<Future<RunOutcome>> pending = new ArrayList<>();
             for (int i = 0; i < monitors.size(); i++) {

@@ -18,6 +18,7 @@ import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import mmneat.evolution.DaemonThreads;
 
 /**
  * One process at a time works in a run's folder.
@@ -84,11 +85,7 @@ final class RunLock implements AutoCloseable {
     private RunLock(Path file, LockHolder self, Timing timing) {
         this.file = file;
         this.self = self;
-        heart = Executors.newSingleThreadScheduledExecutor(task -> {
-            Thread thread = new Thread(task, "lock of " + file.getParent());
-            thread.setDaemon(true);
-            return thread;
-        });
+        heart = Executors.newSingleThreadScheduledExecutor(DaemonThreads.named("lock of " + file.getParent()));
         long period = timing.touch().toMillis();
         heart.scheduleAtFixedRate(this::touch, period, period, TimeUnit.MILLISECONDS);
     }

@@ -16,6 +16,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.EvaluationFiles;
+import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
@@ -51,11 +52,7 @@ public final class ChampionEvaluator implements AutoCloseable {
         this.rules = rules;
         this.games = games;
         this.seed = seed;
-        this.threads = Executors.newFixedThreadPool(threads, task -> {
-            Thread thread = new Thread(task, "evaluation");
-            thread.setDaemon(true);
-            return thread;
-        });
+        this.threads = Executors.newFixedThreadPool(threads, DaemonThreads.named("evaluation"));
     }
 
     /** Games that an earlier evaluation left and that need not be played again. */
