@@ -14,9 +14,9 @@ class ChampionCommandsTest extends CommandTest {
     @TempDir
     private Path folder;
 
-    private void assertMistake(String message, String... arguments) {
+    /** A mistake that may come out late: a slow machine may have shown progress before. */
+    private void assertMistakeAtWork(String message, String... arguments) {
         assertThat(execute(arguments)).isEqualTo(2);
-        // A slow machine may have shown progress before.
         assertThat(errors.toString().lines().filter(line -> line.startsWith("mmneat: ")))
                 .hasSize(1);
         assertThat(errors.toString()).contains(message);
@@ -43,14 +43,15 @@ class ChampionCommandsTest extends CommandTest {
     @Test
     void windowWithoutDisplay_isRefusedInOneLine() {
         org.junit.jupiter.api.Assumptions.assumeTrue(java.awt.GraphicsEnvironment.isHeadless());
-        assertMistake("window=true needs a display, and there is none", "watch", "champion=blended", "window=true");
+        assertMistakeAtWork(
+                "window=true needs a display, and there is none", "watch", "champion=blended", "window=true");
     }
 
     @Test
     void championIsPlayed() {
         assertThat(execute("play", "pacman=champion:blended", "rules=blended")).isZero();
         assertThat(out.toString()).startsWith("champion:blended against Legacy, 1 game");
-        assertMistake(
+        assertMistakeAtWork(
                 "pacman=champion:x: must be champion: and one of blended, interleaved, isolated",
                 "play",
                 "pacman=champion:x");
@@ -58,9 +59,9 @@ class ChampionCommandsTest extends CommandTest {
 
     @Test
     void unknownOrAmbiguousChampion_isAMistake() {
-        assertMistake("no network is given", "watch");
-        assertMistake("champion=x: must be one of blended, interleaved, isolated", "watch", "champion=x");
-        assertMistake("both a file and champion= are given", "watch", "champion.json", "champion=blended");
+        assertMistakeAtWork("no network is given", "watch");
+        assertMistakeAtWork("champion=x: must be one of blended, interleaved, isolated", "watch", "champion=x");
+        assertMistakeAtWork("both a file and champion= are given", "watch", "champion.json", "champion=blended");
     }
 
     @Test
@@ -79,7 +80,7 @@ class ChampionCommandsTest extends CommandTest {
     @Test
     void recordingThatGivesUp_saysWhatIsMissing_andKeepsWhatThereIs() {
         Path file = folder.resolve("few.txt");
-        assertMistake("gave up after 1 games, with", "record-ghosts", "games=1", "situations=5", "out=" + file);
+        assertMistakeAtWork("gave up after 1 games, with", "record-ghosts", "games=1", "situations=5", "out=" + file);
         assertThat(errors.toString()).contains("still missing: maze 0 power pill 0 (");
         assertThat(file).doesNotExist();
         assertThat(folder.resolve("few.txt.incomplete")).exists();
@@ -96,6 +97,6 @@ class ChampionCommandsTest extends CommandTest {
                 .contains("NearestPillPacMan")
                 .contains("overlap in");
         assertThat(Files.readAllLines(csv)).hasSize(7);
-        assertMistake("predicates=x: must be two or more of threats", "tasks", "predicates=x");
+        assertMistakeAtWork("predicates=x: must be two or more of threats", "tasks", "predicates=x");
     }
 }

@@ -1,5 +1,7 @@
 package mmneat.cli;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import picocli.CommandLine;
@@ -25,5 +27,13 @@ abstract class CommandTest {
         line.setOut(new PrintWriter(out, true));
         line.setErr(new PrintWriter(errors, true));
         return line.execute(arguments);
+    }
+
+    /** A user's mistake: exit code 2, one line that says what is wrong, and no result. */
+    final void assertMistake(String message, String... arguments) {
+        assertThat(execute(arguments)).isEqualTo(2);
+        assertThat(errors.toString().lines()).hasSize(1);
+        assertThat(errors.toString()).contains(message);
+        assertThat(out.toString()).isEmpty();
     }
 }

@@ -73,12 +73,6 @@ class MainJobTest extends CommandTest {
         assertMistake("'evolve' is not understood", "evolve");
     }
 
-    private void assertMistake(String message, String... words) {
-        assertThat(execute(words)).isEqualTo(2);
-        assertThat(errors.toString().lines()).singleElement().satisfies(line -> assertThat(line)
-                .contains(message));
-    }
-
     @Test
     void params_listsThem_andDescribesOne() {
         assertThat(execute("params")).isZero();

@@ -55,6 +55,7 @@ class MainTest extends CommandTest {
     void help_andVersion_succeed() {
         assertThat(execute(new Mistake(), "--help")).isZero();
         assertThat(out.toString()).contains("Usage: mmneat");
+        assertThat(errors.toString()).isEmpty();
         assertThat(execute(new Mistake(), "--version")).isZero();
         assertThat(out.toString()).contains("MM-NEAT (not packaged)");
         assertThat(errors.toString()).isEmpty();

@@ -19,13 +19,6 @@ class PlayCommandTest extends CommandTest {
         return out.toString().lines().toList().get(1);
     }
 
-    private void assertMistake(String message, String... arguments) {
-        assertThat(execute(arguments)).isEqualTo(2);
-        assertThat(errors.toString().lines()).hasSize(1);
-        assertThat(errors.toString()).contains(message);
-        assertThat(out.toString()).isEmpty();
-    }
-
     @Test
     void games_areSummedUp_andTheSameSeedGivesTheSameGames() {
         String[] words = {"play", "pacman=StarterPacMan", "ghosts:Legacy", "games=20", "seed=1"};
