@@ -19,6 +19,9 @@ public final class Network {
      *   1. recurrent links (source at or behind the target) by source, with the source's activation of the previous step;
      *   2. forward links by source, with the activation of this step.
      *
+     * The links of a neuron lie side by side in that order. A state keeps the activations of the previous step behind those of
+     * this one, so that a recurrent link is a link like any other.
+     *
      * Only the order within a sum counts, so neurons can be computed in any order that has a neuron's forward sources before
      * it, and those that nobody asks for not at all. They are grouped by what they are needed for:
      *
@@ -70,22 +73,15 @@ public final class Network {
     final int[] groupOfOutput;
     /** How far a rough sum can be from the exact one. */
     final double margin;
-    /** Per slot: where its forward links start in the two arrays below; one more entry at the end. */
-    final int[] forwardStart;
+    /** Number of neurons, from the first slot of neurons on, whose activation of the previous step a state remembers. */
+    final int remembered;
+    /** Per slot: where its links start in the two arrays below; one more entry at the end. */
+    final int[] linkStart;
 
-    /** Slot that a forward link comes from. */
-    final int[] forwardSource;
+    /** The slot that a forward link comes from; for a recurrent one, of which {@link #slots} plus the number of the neuron. */
+    final int[] linkSource;
 
-    final double[] forwardWeight;
-    /** The slots that recurrent links lead to. */
-    final int[] recurrentTarget;
-    /** Per entry of {@link #recurrentTarget}: where its links start in the two arrays below; one more entry at the end. */
-    final int[] recurrentStart;
-
-    /** Slot that a recurrent link comes from. */
-    final int[] recurrentSource;
-
-    final double[] recurrentWeight;
+    final double[] linkWeight;
     /** Function of each slot; null if all are tanh. */
     final ActivationFunction[] functions;
 
@@ -95,29 +91,23 @@ public final class Network {
             int[] groupStart,
             int[] groupOfOutput,
             double margin,
-            int[] forwardStart,
-            int[] forwardSource,
-            double[] forwardWeight,
-            int[] recurrentTarget,
-            int[] recurrentStart,
-            int[] recurrentSource,
-            double[] recurrentWeight,
+            int remembered,
+            int[] linkStart,
+            int[] linkSource,
+            double[] linkWeight,
             ActivationFunction[] functions) {
         this.inputs = genotype.inputs();
         this.layout = genotype.layout();
         this.slotOfNode = slotOfNode;
-        this.slots = forwardStart.length - 1;
+        this.slots = linkStart.length - 1;
         this.groupStart = groupStart;
         this.groupOfOutput = groupOfOutput;
         this.margin = margin;
         this.firstLazy = groupStart[groupStart.length - 1];
-        this.forwardStart = forwardStart;
-        this.forwardSource = forwardSource;
-        this.forwardWeight = forwardWeight;
-        this.recurrentTarget = recurrentTarget;
-        this.recurrentStart = recurrentStart;
-        this.recurrentSource = recurrentSource;
-        this.recurrentWeight = recurrentWeight;
+        this.remembered = remembered;
+        this.linkStart = linkStart;
+        this.linkSource = linkSource;
+        this.linkWeight = linkWeight;
         this.functions = functions;
         slotOfOutput = new int[layout.outputs()];
         System.arraycopy(slotOfNode, genotype.firstOutput(), slotOfOutput, 0, slotOfOutput.length);
@@ -201,6 +191,6 @@ public final class Network {
 
     /** Number of links that take part. */
     public int links() {
-        return forwardSource.length + recurrentSource.length;
+        return linkSource.length;
     }
 }

@@ -287,46 +287,28 @@ final class NetworkCompiler {
 
     private Network withLinks(int[] nodeOfSlot, int[] groupStart) {
         int slots = nodeOfSlot.length;
-        int recurrentLinks = 0;
-        int recurrentTargets = 0;
         int links = 0;
         for (int target : nodeOfSlot) {
-            int recurrent = 0;
-            for (int link = incomingStart[target]; link < incomingStart[target + 1]; link++) {
-                recurrent += incomingSource[link] >= target ? 1 : 0;
-                links++;
-            }
-            recurrentLinks += recurrent;
-            recurrentTargets += recurrent > 0 ? 1 : 0;
+            links += incomingStart[target + 1] - incomingStart[target];
         }
-        int[] forwardStart = new int[slots + 1];
-        int[] forwardSource = new int[links - recurrentLinks];
-        double[] forwardWeight = new double[links - recurrentLinks];
-        int[] recurrentTarget = new int[recurrentTargets];
-        int[] recurrentStart = new int[recurrentTargets + 1];
-        int[] recurrentSource = new int[recurrentLinks];
-        double[] recurrentWeight = new double[recurrentLinks];
-        int forward = 0;
-        int recurrent = 0;
-        int recurrentEntry = 0;
+        int[] linkStart = new int[slots + 1];
+        int[] linkSource = new int[links];
+        double[] linkWeight = new double[links];
+        boolean hasRecurrentLinks = false;
+        int next = 0;
         for (int slot = 0; slot < slots; slot++) {
             int target = nodeOfSlot[slot];
-            int recurrentBefore = recurrent;
-            for (int link = incomingStart[target]; link < incomingStart[target + 1]; link++) {
-                int source = incomingSource[link];
-                if (source < target) {
-                    forwardSource[forward] = slotOfNode[source];
-                    forwardWeight[forward++] = incomingWeight[link];
-                } else {
-                    recurrentSource[recurrent] = slotOfNode[source];
-                    recurrentWeight[recurrent++] = incomingWeight[link];
-                }
+            int firstRecurrent = firstRecurrentLink(target);
+            for (int link = firstRecurrent; link < incomingStart[target + 1]; link++) {
+                linkSource[next] = slots + slotOfNode[incomingSource[link]] - inputs;
+                linkWeight[next++] = incomingWeight[link];
+                hasRecurrentLinks = true;
             }
-            forwardStart[slot + 1] = forward;
-            if (recurrent > recurrentBefore) {
-                recurrentTarget[recurrentEntry++] = slot;
-                recurrentStart[recurrentEntry] = recurrent;
+            for (int link = incomingStart[target]; link < firstRecurrent; link++) {
+                linkSource[next] = slotOfNode[incomingSource[link]];
+                linkWeight[next++] = incomingWeight[link];
             }
+            linkStart[slot + 1] = next;
         }
         return new Network(
                 genotype,
@@ -334,14 +316,20 @@ final class NetworkCompiler {
                 groupStart,
                 Arrays.copyOfRange(group, firstOutput, nodes),
                 margin,
-                forwardStart,
-                forwardSource,
-                forwardWeight,
-                recurrentTarget,
-                recurrentStart,
-                recurrentSource,
-                recurrentWeight,
+                hasRecurrentLinks ? groupStart[Network.ALWAYS + 1] - inputs : 0,
+                linkStart,
+                linkSource,
+                linkWeight,
                 functions(nodeOfSlot));
+    }
+
+    /** The first of a node's incoming links that comes from itself or a later node; they are the last ones. */
+    private int firstRecurrentLink(int target) {
+        int link = incomingStart[target];
+        while (link < incomingStart[target + 1] && incomingSource[link] < target) {
+            link++;
+        }
+        return link;
     }
 
     private ActivationFunction[] functions(int[] nodeOfSlot) {

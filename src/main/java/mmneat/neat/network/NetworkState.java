@@ -21,10 +21,11 @@ public final class NetworkState {
     private static final int EXACTLY = 1;
 
     private final Network network;
-    /** Activation of each slot that is not lazy, as far as its group is computed. */
+    /**
+     * Activation of each slot that is not lazy, as far as its group is computed; behind them the activations of the previous
+     * step that recurrent links read.
+     */
     final double[] activations;
-    /** What recurrent links bring to each slot in this step, from the activations of the previous one. */
-    final double[] carried;
 
     /** Twice the number of the step in which each group was computed last, and one more if exactly. */
     private final long[] computed;
@@ -45,8 +46,7 @@ public final class NetworkState {
 
     NetworkState(Network network, ModuleArbitration arbitration) {
         this.network = network;
-        activations = new double[network.slots];
-        carried = new double[network.slots];
+        activations = new double[network.slots + network.remembered];
         computed = new long[network.groupStart.length - 1];
         moduleUsage = new int[network.modules()];
         preferences = new double[network.modules()];
@@ -72,7 +72,7 @@ public final class NetworkState {
             throw new IllegalArgumentException(
                     "the network has " + network.inputs + " inputs, got " + inputs.length + " values");
         }
-        carry();
+        remember();
         for (int i = 0; i < network.inputs; i++) {
             // The pending sum of an input is 0; adding it turns -0 into 0.
             activations[i] = function(i, 0.0 + inputs[i]);
@@ -127,7 +127,6 @@ public final class NetworkState {
     public void flush() {
         if (!flushed) {
             Arrays.fill(activations, 0);
-            Arrays.fill(carried, 0);
             if (arbiter != null) {
                 arbiter.flush();
             }
@@ -204,7 +203,7 @@ public final class NetworkState {
 
     /** First part of a step: what recurrent links and inputs bring. */
     void begin(double[] inputActivations, int offset) {
-        carry();
+        remember();
         System.arraycopy(inputActivations, offset, activations, 0, network.inputs);
     }
 
@@ -230,15 +229,22 @@ public final class NetworkState {
         }
     }
 
-    /** Takes note that a group was computed from outside. */
-    void computedGroup(int group, boolean exactly) {
-        computed[group] = now + (exactly ? EXACTLY : ROUGHLY);
+    /** Takes note that what is always needed was computed from outside. */
+    void computedAlways() {
+        computed[Network.ALWAYS] = now + EXACTLY;
     }
 
     private void propagate(int group, boolean exactly) {
-        int end = network.groupStart[group + 1];
-        for (int slot = network.groupStart[group]; slot < end; slot++) {
-            activations[slot] = exactly ? function(slot, sum(slot)) : RoughTanh.of(sum(slot));
+        int from = network.groupStart[group];
+        int to = network.groupStart[group + 1];
+        if (!exactly) {
+            Propagation.roughly(network, activations, from, to);
+        } else if (network.functions == null) {
+            Propagation.exactly(network, activations, from, to);
+        } else {
+            for (int slot = from; slot < to; slot++) {
+                activations[slot] = function(slot, sum(slot));
+            }
         }
     }
 
@@ -246,30 +252,15 @@ public final class NetworkState {
         return slot >= network.firstLazy;
     }
 
-    /** Sums up what recurrent links bring, before the activations that they read are overwritten. */
-    private void carry() {
+    /** Keeps what recurrent links read before it is overwritten. */
+    private void remember() {
         flushed = false;
         now += 2;
-        int[] targets = network.recurrentTarget;
-        int[] start = network.recurrentStart;
-        for (int i = 0; i < targets.length; i++) {
-            double sum = 0;
-            for (int link = start[i]; link < start[i + 1]; link++) {
-                sum += activations[network.recurrentSource[link]] * network.recurrentWeight[link];
-            }
-            carried[targets[i]] = sum;
-        }
+        System.arraycopy(activations, network.inputs, activations, network.slots, network.remembered);
     }
 
     private double sum(int slot) {
-        double[] weight = network.forwardWeight;
-        int[] source = network.forwardSource;
-        double sum = carried[slot];
-        int end = network.forwardStart[slot + 1];
-        for (int link = network.forwardStart[slot]; link < end; link++) {
-            sum += activations[source[link]] * weight[link];
-        }
-        return sum;
+        return Propagation.sum(network, activations, slot);
     }
 
     private double function(int slot, double sum) {

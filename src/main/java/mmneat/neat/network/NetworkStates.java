@@ -4,17 +4,11 @@ import mmneat.random.ResumableRandom;
 
 /**
  * A few states of one network that are activated together, such as one per direction of movement: the same as one after
- * the other, but faster.
+ * the other, but faster ({@link Propagation}).
  *
  * <p>Belongs to one thread. Stepping allocates nothing.
  */
 public final class NetworkStates {
-
-    /*
-     * A neuron's sum and its tanh are one long chain of dependent instructions, and a neuron of a higher level waits for
-     * those below. States depend on each other in nothing: computing a neuron for two or three of them side by side gives
-     * the processor something to do meanwhile. Links are read once for all of them.
-     */
 
     /** As many as a bit mask of an int can name. */
     private static final int MOST = 31;
@@ -97,8 +91,7 @@ public final class NetworkStates {
 
     private void finish(int count, ResumableRandom random) {
         if (network.functions == null) {
-            propagate(count, Network.ALWAYS, true);
-            propagate(count, Network.SHARED, false);
+            propagateTogether(count);
         }
         for (int i = 0; i < count; i++) {
             active[i].computeExactly(Network.ALWAYS);
@@ -162,66 +155,20 @@ public final class NetworkStates {
         }
     }
 
-    /** Computes a group for states two or three at a time; one that is left over is left alone. */
-    private void propagate(int count, int group, boolean exactly) {
-        int from = network.groupStart[group];
-        int to = network.groupStart[group + 1];
+    /** Computes what is always needed for states two or three at a time; one that is left over is left alone. */
+    private void propagateTogether(int count) {
+        int from = network.groupStart[Network.ALWAYS];
+        int to = network.groupStart[Network.ALWAYS + 1];
         int done = 0;
         if (count == 3) {
-            propagate(active[0], active[1], active[2], from, to, exactly);
+            Propagation.exactly(network, active[0].activations, active[1].activations, active[2].activations, from, to);
             done = 3;
         }
         for (; done + 1 < count; done += 2) {
-            propagate(active[done], active[done + 1], from, to, exactly);
+            Propagation.exactly(network, active[done].activations, active[done + 1].activations, from, to);
         }
         for (int i = 0; i < done; i++) {
-            active[i].computedGroup(group, exactly);
-        }
-    }
-
-    private void propagate(NetworkState a, NetworkState b, int from, int to, boolean exactly) {
-        double[] activationsA = a.activations;
-        double[] activationsB = b.activations;
-        int[] start = network.forwardStart;
-        int[] sources = network.forwardSource;
-        double[] weights = network.forwardWeight;
-        for (int slot = from; slot < to; slot++) {
-            double sumA = a.carried[slot];
-            double sumB = b.carried[slot];
-            int end = start[slot + 1];
-            for (int link = start[slot]; link < end; link++) {
-                int source = sources[link];
-                double weight = weights[link];
-                sumA += activationsA[source] * weight;
-                sumB += activationsB[source] * weight;
-            }
-            activationsA[slot] = exactly ? Tanh.of(sumA) : RoughTanh.of(sumA);
-            activationsB[slot] = exactly ? Tanh.of(sumB) : RoughTanh.of(sumB);
-        }
-    }
-
-    private void propagate(NetworkState a, NetworkState b, NetworkState c, int from, int to, boolean exactly) {
-        double[] activationsA = a.activations;
-        double[] activationsB = b.activations;
-        double[] activationsC = c.activations;
-        int[] start = network.forwardStart;
-        int[] sources = network.forwardSource;
-        double[] weights = network.forwardWeight;
-        for (int slot = from; slot < to; slot++) {
-            double sumA = a.carried[slot];
-            double sumB = b.carried[slot];
-            double sumC = c.carried[slot];
-            int end = start[slot + 1];
-            for (int link = start[slot]; link < end; link++) {
-                int source = sources[link];
-                double weight = weights[link];
-                sumA += activationsA[source] * weight;
-                sumB += activationsB[source] * weight;
-                sumC += activationsC[source] * weight;
-            }
-            activationsA[slot] = exactly ? Tanh.of(sumA) : RoughTanh.of(sumA);
-            activationsB[slot] = exactly ? Tanh.of(sumB) : RoughTanh.of(sumB);
-            activationsC[slot] = exactly ? Tanh.of(sumC) : RoughTanh.of(sumC);
+            active[i].computedAlways();
         }
     }
 }

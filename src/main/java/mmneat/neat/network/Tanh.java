@@ -72,13 +72,14 @@ public final class Tanh {
     /** From here on the result is 1: 2/(t + 2) is below 2^-54. */
     private static final double SATURATION = 19.0625;
 
-    private static final int UPPER_HALF_OF_ONE = 0x3ff00000;
+    /** Raises the exponent in the bits of a number by one. */
+    private static final long ONE_EXPONENT = 1L << 52;
 
     private static final int ROW_BITS = 3;
     private static final int ROWS = 128;
     private static final int LARGEST_K = 19;
 
-    /** Per row: M, F, G, N, P, D, s; N, P and D with the signs that make the result sign(x) tanh a. Row 4k + 2[a >= 1] + [x < 0]. */
+    /** Per row: M, F, G, N, P, D, s; N, P and D with the signs that make the result sign(x) tanh a. Row 4k + 2[x < 0] + [a >= 1]. */
     private static final double[] CASES = cases();
 
     private Tanh() {}
@@ -86,8 +87,8 @@ public final class Tanh {
     private static double[] cases() {
         double[] table = new double[ROWS << ROW_BITS];
         for (int row = 0; row < 4 * (LARGEST_K + 1); row++) {
-            double sign = (row & 1) == 0 ? 1 : -1;
-            boolean small = (row & 2) == 0;
+            double sign = (row & 2) == 0 ? 1 : -1;
+            boolean small = (row & 1) == 0;
             int k = row >> 2;
             double powerOfTwo = Math.scalb(1.0, small ? -k : k);
             // -0 is what leaves every number as it is, -0 included: zeros keep their sign.
@@ -108,20 +109,25 @@ public final class Tanh {
 
     /** The hyperbolic tangent of {@code x}, in [-1, 1]; equal to {@code StrictMath.tanh(x)} for every argument. */
     public static double of(double x) {
+        return isInTable(x) ? inTable(x) : outsideTable(x);
+    }
+
+    /** Whether {@link #inTable} can be asked: so for all arguments but those beyond 6.75, and one in half a million before. */
+    static boolean isInTable(double x) {
         double a = Math.abs(x);
-        double whole = (2 * INVERSE_LN2) * a + WHOLE;
+        double k = wholeOf(a) - WHOLE;
+        return a < TABLE_END && Math.abs(high(a, k) - k * LN2_LOW) <= CLEARLY_NEAREST;
+    }
+
+    /** The hyperbolic tangent of an argument in the table; any number for others. Calls nothing. */
+    static double inTable(double x) {
+        double a = Math.abs(x);
+        double whole = wholeOf(a);
         double k = whole - WHOLE;
-        double high = (a + a) - k * LN2_HIGH;
+        double high = high(a, k);
         double low = k * LN2_LOW;
         double reduced = high - low;
-        if (!(a < TABLE_END) || Math.abs(reduced) > CLEARLY_NEAREST) {
-            return outsideTable(x);
-        }
-        int upper = (int) (Double.doubleToRawLongBits(x) >>> 32);
-        // 1 if a >= 1, without a branch.
-        int large = 1 - ((upper & Integer.MAX_VALUE) - UPPER_HALF_OF_ONE >>> 31);
-        // A sum, not an "or", and a mask: the compiler then knows that the row is in the table and checks no bounds.
-        int row = (4 * (int) Double.doubleToRawLongBits(whole) + 2 * large + (upper >>> 31) & ROWS - 1) << ROW_BITS;
+        int row = row(x, whole);
 
         double s = CASES[row + 6];
         double c = s * ((high - reduced) - low);
@@ -136,6 +142,23 @@ public final class Tanh {
         double q = CASES[row] + (r - e);
         double t = q * CASES[row + 1] + CASES[row + 2];
         return CASES[row + 5] + (q * CASES[row + 3] + CASES[row + 4]) / (t + 2);
+    }
+
+    /** A number with k in its lower bits. */
+    private static double wholeOf(double a) {
+        return (2 * INVERSE_LN2) * a + WHOLE;
+    }
+
+    private static double high(double a, double k) {
+        return (a + a) - k * LN2_HIGH;
+    }
+
+    /** Start of the row of an argument in the table; {@code whole} has k in its lower bits. */
+    private static int row(double x, double whole) {
+        // The sum carries into bit 62 if the exponent is that of 1 or more.
+        int signAndSize = (int) (Double.doubleToRawLongBits(x) + ONE_EXPONENT >>> 62);
+        // A sum, not an "or", and a mask: the compiler then knows that the row is in the table and checks no bounds.
+        return (4 * (int) Double.doubleToRawLongBits(whole) + signAndSize & ROWS - 1) << ROW_BITS;
     }
 
     private static double outsideTable(double x) {

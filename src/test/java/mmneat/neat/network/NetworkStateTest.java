@@ -36,6 +36,14 @@ class NetworkStateTest {
     }
 
     @Test
+    void largeWeights_equalThePlainForm() {
+        for (int i = 0; i < GENOTYPES; i++) {
+            Genotype genotype = withLargeWeights(randomGenotype(random), random);
+            compareWithPlainForm(genotype, Network.compile(genotype));
+        }
+    }
+
+    @Test
     void championSizedNetworks_equalThePlainForm() {
         for (int i = 0; i < 20; i++) {
             Genotype genotype = SampleGenotypes.champion(random);
@@ -112,6 +120,21 @@ class NetworkStateTest {
         ModuleLayout layout = new ModuleLayout(outputs, modules, policyNeurons, multitask);
         int hidden = random.nextInt(15);
         return SampleGenotypes.grown(random, 1 + random.nextInt(8), layout, hidden, random.nextInt(120));
+    }
+
+    /** Sums beyond the table of the fast tangent, and saturated neurons, whose activations differ in the last bits or not at all. */
+    static Genotype withLargeWeights(Genotype genotype, SplittableRandom random) {
+        List<LinkGene> links = genotype.links().stream()
+                .map(link -> new LinkGene(
+                        link.innovation(),
+                        link.source(),
+                        link.target(),
+                        link.weight() * Math.scalb(1.0, random.nextInt(12)),
+                        link.active(),
+                        link.recurrent(),
+                        link.frozen()))
+                .toList();
+        return new Genotype(0, genotype.inputs(), genotype.layout(), genotype.nodes(), links, genotype.moduleUsage());
     }
 
     private static Genotype withFunction(Genotype genotype, ActivationFunction function) {
