@@ -149,6 +149,7 @@ public final class Tanh {
         return (2 * INVERSE_LN2) * a + WHOLE;
     }
 
+    /** 2a less the upper part of k ln 2. */
     private static double high(double a, double k) {
         return (a + a) - k * LN2_HIGH;
     }
