@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.ChampionLabels;
 import mmneat.experiment.PublishedConfigurations;
+import mmneat.experiment.UserError;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeJson;
 import mmneat.neat.io.GenotypeXml;
@@ -53,7 +54,7 @@ final class NetworkCommand extends WordCommand implements Runnable {
                         "format",
                         "svg|dot|graphml|json|xml",
                         "picture, graph for Graphviz, graph for other programs, our form, the original's form;"
-                                + " default: by the ending of out, else svg"),
+                                + " default: by the ending of out; without out, svg"),
                 new Word("out", "FILE", "where to write; default: standard output"));
     }
 
@@ -62,8 +63,10 @@ final class NetworkCommand extends WordCommand implements Runnable {
         Words parsed = words(1);
         Champion champion = ChosenChampion.of(parsed, null);
         Optional<Path> out = parsed.path("out");
-        String format =
-                parsed.choice("format", out.map(NetworkCommand::formatOf).orElse("svg"), FORMATS);
+        String format = parsed.choice("format", "", FORMATS);
+        if (format.isEmpty()) {
+            format = out.isPresent() ? formatOf(out.get()) : "svg";
+        }
         String text = convert(champion.genotype(), format, labels(parsed, champion, format));
         if (out.isPresent()) {
             OutputFile.write(out.get(), text);
@@ -89,7 +92,11 @@ final class NetworkCommand extends WordCommand implements Runnable {
     private static String formatOf(Path out) {
         String name = out.getFileName().toString();
         String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        return FORMATS.contains(ending) ? ending : "svg";
+        if (!FORMATS.contains(ending)) {
+            throw new UserError("out=" + out + ": the ending tells no format; name the file *."
+                    + String.join(", *.", FORMATS) + " or say format=");
+        }
+        return ending;
     }
 
     private static String convert(Genotype genotype, String format, NetworkLabels labels) {

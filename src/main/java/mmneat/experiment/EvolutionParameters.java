@@ -46,7 +46,8 @@ record EvolutionParameters(
         double deleteModeRate,
         double freezePolicyRate,
         double freezePreferenceRate,
-        double freezeAlternateRate) {
+        double freezeAlternateRate,
+        int disabledMode) {
 
     EvolutionSettings settings(Task task) {
         InputSelection selection = new InputSelection(fs, fsLinksPerOut);
@@ -75,12 +76,17 @@ record EvolutionParameters(
     /**
      * Makes sure that the parameters go together.
      *
-     * @throws UserError naming two that do not
+     * @throws UserError naming those that do not
      */
     void requireConsistent() {
         if (multitaskModes > 1 && choosesModules()) {
             throw new UserError(chooser() + " does not go with multitaskModes=" + multitaskModes
                     + ": either the task chooses the module or the network does; leave one of them out");
+        }
+        int modules = Math.max(startingModes, multitaskModes);
+        if (disabledMode >= modules && !rates().module().canAddModules()) {
+            throw new UserError("disabledMode=" + disabledMode + ": the networks have "
+                    + (modules == 1 ? "one module, number 0" : "modules 0 to " + (modules - 1)) + "; -1 disables none");
         }
     }
 

@@ -187,6 +187,9 @@ record GameParameters(
     private ModuleArbitration arbitration() {
         ModuleArbitration arbitration = ModuleArbitration.PREFERENCE.withDisabledModule(disabledMode);
         if (softmaxModeSelection) {
+            if (softmaxTemperature == 0) {
+                throw new UserError("softmaxTemperature=0: must be positive with softmaxModeSelection=true");
+            }
             arbitration = arbitration.withSoftmax(softmaxTemperature);
         }
         if (preferenceNeuronFatigueUnit != 0) {

@@ -13,7 +13,8 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * The universal order of all neurons of a population: the node list of every genotype is a subsequence of it.
+ * The universal order of all neurons of a population: the node list of every genotype is a subsequence of it. (Full module
+ * mutation, an extra that puts new modules before old ones, is the exception.)
  *
  * <p>It also holds shadow entries, which match no neuron of any network. The original makes them ready for a crossover that
  * combines two networks of one module each, which the published experiments never perform; they are kept because they use up

@@ -8,7 +8,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.ToLongFunction;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -21,8 +20,8 @@ import mmneat.random.ResumableRandom;
  */
 record Crossover(double excessRate) {
 
-    /** The genes of two parents that stand for the same structure; one is null if a parent lacks it. */
-    private record Pair<G>(G ofA, G ofB) {}
+    /** The links of two parents that stand for the same structure; one is null if a parent lacks it. */
+    private record Pair(LinkGene ofA, LinkGene ofB) {}
 
     private record EndPoints(long source, long target) {
         static EndPoints of(LinkGene link) {
@@ -36,19 +35,18 @@ record Crossover(double excessRate) {
      */
     void cross(GenotypeDraft a, GenotypeDraft b, Archetype archetype, ResumableRandom random) {
         boolean isExcessShared = random.nextFloat() < excessRate;
-        // Only if children get both parents' neurons does it matter where the archetype places one parent's among the
-        // other's.
-        Map<Long, Integer> order = isExcessShared ? GenotypeDraft.positionsOf(archetype.entries()) : Map.of();
-        List<NodeGene> nodesOfA = new ArrayList<>();
-        List<NodeGene> nodesOfB = new ArrayList<>();
-        distribute(
-                align(a.nodes(), b.nodes(), NodeGene::innovation, order), isExcessShared, nodesOfA, nodesOfB, random);
+        List<NodeGene> nodesOfA = new ArrayList<>(a.nodes());
+        List<NodeGene> nodesOfB = new ArrayList<>(b.nodes());
+        swapShared(nodesOfA, nodesOfB, random);
+        if (isExcessShared) {
+            shareExcess(nodesOfA, nodesOfB, archetype);
+        }
 
         List<LinkGene> sortedA = sortedByInnovation(a.links());
         List<LinkGene> sortedB = sortedByInnovation(withInnovationsOf(a.links(), b.links()));
         List<LinkGene> linksOfA = new ArrayList<>();
         List<LinkGene> linksOfB = new ArrayList<>();
-        distribute(align(sortedA, sortedB, LinkGene::innovation, Map.of()), isExcessShared, linksOfA, linksOfB, random);
+        distribute(align(sortedA, sortedB), isExcessShared, linksOfA, linksOfB, random);
         int modulesOfA = a.modules();
         a.replaceGenes(nodesOfA, linksOfA);
         if (a.modules() != modulesOfA) {
@@ -58,14 +56,46 @@ record Crossover(double excessRate) {
         b.replaceGenes(nodesOfB, linksOfB);
     }
 
-    /** Deals the genes to the children: one draw for each pair that both parents have. */
-    private static <G> void distribute(
-            List<Pair<G>> pairs, boolean isExcessShared, List<G> toA, List<G> toB, ResumableRandom random) {
-        for (Pair<G> pair : pairs) {
+    /**
+     * Swaps neurons that both parents have: one draw for each, in a's order. What both have comes in the same order in both
+     * lists, the archetype's; only full module mutation makes parents that differ in that, and each child keeps its own order.
+     */
+    private static void swapShared(List<NodeGene> a, List<NodeGene> b, ResumableRandom random) {
+        Map<Long, Integer> placesInB = GenotypeDraft.positionsOf(b);
+        for (int i = 0; i < a.size(); i++) {
+            Integer place = placesInB.get(a.get(i).innovation());
+            if (place != null && random.nextBoolean()) {
+                a.set(i, b.set(place, a.get(i)));
+            }
+        }
+    }
+
+    /** Gives each of two lists the neurons that only the other has, all in the archetype's order. */
+    private static void shareExcess(List<NodeGene> a, List<NodeGene> b, Archetype archetype) {
+        List<NodeGene> onlyInA = without(a, GenotypeDraft.positionsOf(b).keySet());
+        List<NodeGene> onlyInB = without(b, GenotypeDraft.positionsOf(a).keySet());
+        a.addAll(onlyInB);
+        b.addAll(onlyInA);
+        Map<Long, Integer> order = GenotypeDraft.positionsOf(archetype.entries());
+        Comparator<NodeGene> byOrder = Comparator.comparing(node -> order.get(node.innovation()));
+        a.sort(byOrder);
+        b.sort(byOrder);
+    }
+
+    private static List<NodeGene> without(List<NodeGene> nodes, Set<Long> innovations) {
+        return nodes.stream()
+                .filter(node -> !innovations.contains(node.innovation()))
+                .toList();
+    }
+
+    /** Deals the links to the children: one draw for each pair that both parents have. */
+    private static void distribute(
+            List<Pair> pairs, boolean isExcessShared, List<LinkGene> toA, List<LinkGene> toB, ResumableRandom random) {
+        for (Pair pair : pairs) {
             boolean isShared = pair.ofA != null && pair.ofB != null;
             boolean isSwapped = isShared && random.nextBoolean();
-            G forA = isSwapped ? pair.ofB : pair.ofA;
-            G forB = isSwapped ? pair.ofA : pair.ofB;
+            LinkGene forA = isSwapped ? pair.ofB : pair.ofA;
+            LinkGene forB = isSwapped ? pair.ofA : pair.ofB;
             if (isExcessShared && !isShared) {
                 forA = pair.ofA != null ? pair.ofA : pair.ofB;
                 forB = forA;
@@ -79,40 +109,29 @@ record Crossover(double excessRate) {
         }
     }
 
-    /**
-     * Pairs the genes of both parents. What they share comes in the same order in both lists (nodes: the archetype's; links:
-     * ascending), which is all that is needed to walk along the two.
-     *
-     * @param order places that decide which comes first of two genes that only one parent has; without places b's comes first
-     */
-    private static <G> List<Pair<G>> align(
-            List<G> a, List<G> b, ToLongFunction<G> innovation, Map<Long, Integer> order) {
-        Set<Long> inA = innovationsOf(a, innovation);
-        Set<Long> inB = innovationsOf(b, innovation);
-        List<Pair<G>> pairs = new ArrayList<>(a.size() + b.size());
+    /** Pairs the links of both parents, both in ascending order; of two that only one has, b's comes first. */
+    private static List<Pair> align(List<LinkGene> a, List<LinkGene> b) {
+        Set<Long> inA = innovationsOf(a);
+        Set<Long> inB = innovationsOf(b);
+        List<Pair> pairs = new ArrayList<>(a.size() + b.size());
         int i = 0;
         int j = 0;
         while (i < a.size() || j < b.size()) {
-            long nextOfA = i < a.size() ? innovation.applyAsLong(a.get(i)) : 0;
-            long nextOfB = j < b.size() ? innovation.applyAsLong(b.get(j)) : 0;
-            boolean isOnlyInA = i < a.size() && !inB.contains(nextOfA);
-            boolean isOnlyInB = j < b.size() && !inA.contains(nextOfB);
-            boolean isAFirst = order.getOrDefault(nextOfA, 0) < order.getOrDefault(nextOfB, 0);
-            if (isOnlyInA && (isAFirst || !isOnlyInB)) {
-                pairs.add(new Pair<>(a.get(i++), null));
-            } else if (isOnlyInB) {
-                pairs.add(new Pair<>(null, b.get(j++)));
+            if (j < b.size() && !inA.contains(b.get(j).innovation())) {
+                pairs.add(new Pair(null, b.get(j++)));
+            } else if (i < a.size() && !inB.contains(a.get(i).innovation())) {
+                pairs.add(new Pair(a.get(i++), null));
             } else {
-                pairs.add(new Pair<>(a.get(i++), b.get(j++)));
+                pairs.add(new Pair(a.get(i++), b.get(j++)));
             }
         }
         return pairs;
     }
 
-    private static <G> Set<Long> innovationsOf(List<G> genes, ToLongFunction<G> innovation) {
-        Set<Long> innovations = new HashSet<>(genes.size() * 2);
-        for (G gene : genes) {
-            innovations.add(innovation.applyAsLong(gene));
+    private static Set<Long> innovationsOf(List<LinkGene> links) {
+        Set<Long> innovations = new HashSet<>(links.size() * 2);
+        for (LinkGene link : links) {
+            innovations.add(link.innovation());
         }
         return innovations;
     }

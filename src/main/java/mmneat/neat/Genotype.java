@@ -126,7 +126,7 @@ public final class Genotype {
     }
 
     private void requireNodesInOrder() {
-        if (inputs < 1 || nodes.size() < inputs + layout.outputs()) {
+        if (inputs < 1 || nodes.size() < (long) inputs + layout.outputs()) {
             throw new IllegalArgumentException("nodes: " + nodes.size() + " are too few for " + inputs + " inputs and "
                     + layout.outputs() + " outputs");
         }

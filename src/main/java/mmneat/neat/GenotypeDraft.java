@@ -164,9 +164,18 @@ final class GenotypeDraft {
         return false;
     }
 
-    /** The innovation that the next output neuron gets: outputs are known by position. */
-    long nextOutputInnovation() {
-        return outputInnovation(inputs, outputs);
+    /**
+     * The innovation that the next output neuron gets: outputs are known by position. Where full module mutation together with
+     * deleted modules or excess crossover has left that one to another output of this network, it is a new one.
+     */
+    long nextOutputInnovation(GenePool pool) {
+        long byPosition = outputInnovation(inputs, outputs);
+        for (int output = 0; output < outputs; output++) {
+            if (output(output).innovation() == byPosition) {
+                return pool.takeInnovation();
+            }
+        }
+        return byPosition;
     }
 
     /** Innovation of an output neuron by its number. */

@@ -44,7 +44,7 @@ record ModuleDuplication(ActivationFunction activation) implements MutationOpera
                 incoming.put(link.source(), link);
             }
         }
-        NodeGene copy = new NodeGene(offspring.nextOutputInnovation(), NodeType.OUTPUT, activation);
+        NodeGene copy = new NodeGene(offspring.nextOutputInnovation(pool), NodeType.OUTPUT, activation);
         List<LinkGene> links = offspring.links();
         for (NodeGene node : offspring.nodes()) {
             LinkGene link = incoming.get(node.innovation());

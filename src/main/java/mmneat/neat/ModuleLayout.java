@@ -23,10 +23,11 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
         if (modules < 1) {
             throw new IllegalArgumentException("modules must be at least 1, is " + modules);
         }
-        boolean withoutPreference = outputs == modules * policyNeuronsPerModule && (standardMultitask || modules == 1);
-        boolean withPreference = outputs == modules * (policyNeuronsPerModule + 1) && !standardMultitask;
+        long policyNeurons = (long) modules * policyNeuronsPerModule;
+        boolean withoutPreference = outputs == policyNeurons && (standardMultitask || modules == 1);
+        boolean withPreference = outputs == policyNeurons + modules && !standardMultitask;
         if (!withoutPreference && !withPreference) {
-            throw new IllegalArgumentException(outputs + " outputs cannot be " + modules + " modules of "
+            throw new IllegalArgumentException("outputs: " + outputs + " cannot be " + modules + " modules of "
                     + policyNeuronsPerModule + " policy neurons "
                     + (standardMultitask ? "in a multitask network" : "and a preference neuron each"));
         }

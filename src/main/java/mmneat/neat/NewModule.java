@@ -54,7 +54,7 @@ final class NewModule {
     private void appendPreferenceNeuron() {
         long source =
                 offspring.nodes().get(random.nextInt(offspring.firstOutput())).innovation();
-        long target = offspring.nextOutputInnovation();
+        long target = offspring.nextOutputInnovation(pool);
         long innovation = pool.takeInnovation();
         offspring.links().add(new LinkGene(innovation, source, target, Draws.smallWeight(random), false));
         offspring.appendOutput(new NodeGene(target, NodeType.OUTPUT, activation), pool);

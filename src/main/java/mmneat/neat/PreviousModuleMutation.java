@@ -22,7 +22,7 @@ record PreviousModuleMutation(ActivationFunction activation) implements Mutation
         for (int i = 0; i < layout.policyNeuronsPerModule(); i++) {
             int previous = firstOutput + layout.policyOutput(layout.modules() - 1, i);
             long source = offspring.nodes().get(previous).innovation();
-            long target = offspring.nextOutputInnovation();
+            long target = offspring.nextOutputInnovation(pool);
             long innovation = pool.takeInnovation();
             offspring.links().add(new LinkGene(innovation, source, target, 2 * Draws.smallWeight(random), false));
             offspring.appendOutput(new NodeGene(target, NodeType.OUTPUT, activation), pool);

@@ -28,7 +28,7 @@ record RandomModuleMutation(InputSelection selection, ActivationFunction activat
     }
 
     private void appendPolicyNeuron(GenotypeDraft offspring, GenePool pool, ResumableRandom random) {
-        long target = offspring.nextOutputInnovation();
+        long target = offspring.nextOutputInnovation(pool);
         Set<Long> linked = new HashSet<>();
         int count = selection.linksInto(offspring.inputs());
         for (int i = 0; i < count; i++) {

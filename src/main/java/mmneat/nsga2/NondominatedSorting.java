@@ -28,7 +28,7 @@ public final class NondominatedSorting {
      *
      * @param scores {@code scores[individual][objective]}, all maximised, all of one length
      * @param crowding among whom the crowding distance is measured
-     * @throws IllegalArgumentException if score vectors differ in length or contain NaN
+     * @throws IllegalArgumentException if score vectors differ in length or a score is not finite
      */
     public static NondominatedSorting of(double[][] scores, Crowding crowding) {
         requireComparable(scores);
@@ -87,9 +87,10 @@ public final class NondominatedSorting {
                 throw new IllegalArgumentException("individual " + i + " has " + scores[i].length
                         + " objectives, individual 0 has " + scores[0].length);
             }
-            for (double score : scores[i]) {
-                if (Double.isNaN(score)) {
-                    throw new IllegalArgumentException("individual " + i + " has a score that is not a number");
+            for (int objective = 0; objective < scores[i].length; objective++) {
+                if (!Double.isFinite(scores[i][objective])) {
+                    throw new IllegalArgumentException("individual " + i + ": score of objective " + objective
+                            + " must be a finite number, is " + scores[i][objective]);
                 }
             }
         }

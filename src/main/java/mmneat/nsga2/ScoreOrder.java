@@ -21,8 +21,8 @@ final class ScoreOrder {
     }
 
     /**
-     * {@code order} sorted ascending by {@code value}; equal values keep their places. Two infinities are equal, and so are
-     * the two zeros.
+     * {@code order} sorted ascending by {@code value}; equal values keep their places. Two infinite crowding distances are equal,
+     * and so are the two zeros.
      */
     static int[] ascending(int[] order, Value value) {
         Comparator<Integer> byValue = (a, b) -> {

@@ -106,6 +106,16 @@ public final class ResumableRandom implements RandomGenerator {
         return value;
     }
 
+    /** {@inheritDoc} Four bytes of each number, the lowest first. */
+    @Override
+    public void nextBytes(byte[] bytes) {
+        int number = 0;
+        for (int i = 0; i < bytes.length; i++) {
+            number = i % Integer.BYTES == 0 ? nextInt() : number >> Byte.SIZE;
+            bytes[i] = (byte) number;
+        }
+    }
+
     @Override
     public long nextLong() {
         return ((long) next(32) << 32) + next(32);

@@ -107,6 +107,12 @@ class StudyTest {
     void experimentThatCannotBeCarriedOut_isAMistake_beforeAnyJobIsHandedOver() {
         requireMistake("none.txt: cannot be read", "task=isolated", "mazePowerPillGhostMapping=none.txt");
         requireMistake("mmdRate=0.2 does not go with multitaskModes=2", "task=interleaved", "method=MT", "mmdRate=0.2");
+        requireMistake("disabledMode=2: the networks have modules 0 to 1", "task=blended", "disabledMode=2");
+        requireMistake(
+                "softmaxTemperature=0: must be positive",
+                "task=blended",
+                "softmaxModeSelection=true",
+                "softmaxTemperature=0");
         requireMistake(
                 "multitaskModes=2: MazeModeSelector chooses among 4 modules",
                 "task=interleaved",

@@ -76,6 +76,25 @@ class FreezeMutationTest {
         assertThat(isAnyLinkNew).isTrue();
     }
 
+    @Test
+    void frozenLinks_areNotSpliced() {
+        Genotype frozen = freeze(SampleGenotypes.young(random), Part.POLICY);
+        GenePool pool = GenePool.foundedOn(frozen);
+        GenotypeDraft draft = GenotypeDraft.of(frozen);
+        int splices = 0;
+        for (int i = 0; i < 100; i++) {
+            splices += new SpliceNeuronMutation(ActivationFunction.TANH).apply(draft, pool, draws) ? 1 : 0;
+        }
+        Map<Long, LinkGene> after = new HashMap<>();
+        draft.finish().links().forEach(link -> after.put(link.innovation(), link));
+        assertThat(splices).isPositive();
+        for (LinkGene link : frozen.links()) {
+            if (link.frozen()) {
+                assertThat(after.get(link.innovation())).isEqualTo(link);
+            }
+        }
+    }
+
     private Genotype freeze(Genotype genotype, Part part) {
         GenotypeDraft draft = GenotypeDraft.of(genotype);
         assertThat(new FreezeMutation(part).apply(draft, GenePool.foundedOn(genotype), draws))

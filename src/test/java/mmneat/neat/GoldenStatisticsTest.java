@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
+import mmneat.neat.network.Network;
+import mmneat.neat.network.NetworkState;
 import mmneat.random.ResumableRandom;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import org.junit.jupiter.api.DynamicTest;
@@ -402,9 +404,42 @@ class GoldenStatisticsTest {
         assertThat(fractions.getN()).isGreaterThanOrEqualTo(60);
         double spread =
                 theirs.required("fraction_swapped_per_link").required("sd").doubleValue();
-        double mean =
-                theirs.required("fraction_swapped_per_link").required("mean").doubleValue();
-        assertThat(fractions.getMean()).isBetween(mean - spread, mean + spread);
+        JsonNode fractionOfTheirs = theirs.required("fraction_swapped_per_link");
+        double mean = fractionOfTheirs.required("mean").doubleValue();
+        double standardError =
+                spread * Math.sqrt(1 / fractionOfTheirs.required("n").doubleValue() + 1.0 / fractions.getN());
+        assertThat(fractions.getMean()).isBetween(mean - 4 * standardError, mean + 4 * standardError);
         assertThat(fractions.getStandardDeviation()).isBetween(0.5 * spread, 1.5 * spread);
+    }
+
+    @Test
+    void equalPreferences_areChosenEquallyOften_asInTheOriginal() {
+        JsonNode theirs = golden.required("preference_ties_all_zero_inputs_three_modules");
+        int steps = theirs.required("steps").intValue();
+        InitialNetworks networks = new InitialNetworks(INPUTS, layoutOf("ThreeModules"));
+        NetworkState state = Network.compile(networks.create(0, random)).newState();
+        for (int step = 0; step < steps; step++) {
+            state.activate(new double[INPUTS], random);
+        }
+        for (int module = 0; module < 3; module++) {
+            assertCount(
+                    "choices of module " + module,
+                    state.moduleUsage()[module],
+                    steps,
+                    theirs.required("chosen").required(module).intValue(),
+                    steps);
+        }
+    }
+
+    @Test
+    void networkOfOneModule_takesOneDrawAStep_asInTheOriginal() {
+        assertThat(golden.required("one_module_process_consumes_one_draw").booleanValue())
+                .isTrue();
+        NetworkState state = Network.compile(new InitialNetworks(INPUTS, layoutOf("OneModule")).create(0, random))
+                .newState();
+        ResumableRandom expected = random.copy();
+        state.activate(new double[INPUTS], random);
+        expected.nextInt(1);
+        assertThat(random.state()).isEqualTo(expected.state());
     }
 }

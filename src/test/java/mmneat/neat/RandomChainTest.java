@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import mmneat.neat.io.GenotypeJson;
 import mmneat.neat.io.GenotypeXml;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -23,21 +24,29 @@ class RandomChainTest {
     private static final int CHAINS = 10;
     private static final int BREEDINGS = 150;
 
-    /** Everything on, often: also what the published experiments leave off. */
-    private static final VariationSettings EVERYTHING = new VariationSettings(
-            new MutationRates(
-                    0.5,
-                    0.3,
-                    0.1,
-                    0,
-                    new MutationRates.ModuleRates(0.05, 0.05, 0.05, 0.05),
-                    new MutationRates.DeletionRates(0.2, 0.25),
-                    new MutationRates.FreezingRates(0.02, 0.02, 0.05)),
-            new ModuleGate(6, 10),
-            0.1,
-            false,
-            InputSelection.ALL,
-            ActivationFunction.TANH);
+    private static final int MOST_MODULES = 6;
+
+    /**
+     * Everything on, often: also what the published experiments leave off.
+     *
+     * @param moduleRate of MM(P), MM(R) and MM(D) each
+     */
+    private static VariationSettings everything(double moduleRate, double fullModuleRate, double excessRate) {
+        return new VariationSettings(
+                new MutationRates(
+                        0.5,
+                        0.3,
+                        0.1,
+                        0,
+                        new MutationRates.ModuleRates(moduleRate, moduleRate, moduleRate, fullModuleRate),
+                        new MutationRates.DeletionRates(0.2, 0.25),
+                        new MutationRates.FreezingRates(0.02, 0.02, 0.05)),
+                new ModuleGate(MOST_MODULES, 10),
+                excessRate,
+                false,
+                InputSelection.ALL,
+                ActivationFunction.TANH);
+    }
 
     @ParameterizedTest
     @CsvSource({
@@ -77,7 +86,8 @@ class RandomChainTest {
         ModuleLayout layout = ModuleLayout.withPreferenceNeurons(modules, policyNeurons);
         Set<String> performed = new HashSet<>();
         for (int chain = 0; chain < CHAINS; chain++) {
-            RandomLineages lineages = new RandomLineages(new InitialNetworks(5, layout), EVERYTHING, 8, 2000 + chain);
+            RandomLineages lineages =
+                    new RandomLineages(new InitialNetworks(5, layout), everything(0.05, 0.05, 0.1), 8, 2000 + chain);
             Map<Long, String> structures = new HashMap<>();
             lineages.breed(BREEDINGS, child -> {
                 requireInvariants(child.genotype(), 5, layout);
@@ -102,6 +112,53 @@ class RandomChainTest {
                         "AllWeightMutation");
     }
 
+    /** Full module mutation puts modules into the archetype in another order than into networks: the only one that does. */
+    @Test
+    void everyOffspring_isPartOfTheArchetype_withoutFullModuleMutation() {
+        ModuleLayout layout = ModuleLayout.withPreferenceNeurons(2, 1);
+        for (int chain = 0; chain < CHAINS; chain++) {
+            RandomLineages lineages =
+                    new RandomLineages(new InitialNetworks(5, layout), everything(0.1, 0, 0.3), 8, 3000 + chain);
+            lineages.breed(BREEDINGS, child -> {
+                requireInvariants(child.genotype(), 5, layout);
+                requirePartOf(child.genotype(), lineages.pool().archetype());
+            });
+            requireShadowsInArchetype(lineages.pool().archetype());
+        }
+    }
+
+    @Test
+    void fullModulesOfManyHistories_withExcessCrossoverAndDeletion_stayNetworks() {
+        ModuleLayout layout = ModuleLayout.withPreferenceNeurons(2, 1);
+        for (int chain = 0; chain < 10 * CHAINS; chain++) {
+            RandomLineages lineages =
+                    new RandomLineages(new InitialNetworks(5, layout), everything(0.1, 0.1, 0.3), 8, 4000 + chain);
+            Map<Long, String> structures = new HashMap<>();
+            lineages.breed(BREEDINGS, child -> {
+                requireInvariants(child.genotype(), 5, layout);
+                requireOneMeaning(child.genotype(), structures);
+            });
+        }
+    }
+
+    @Test
+    void modulesAreAdded_upToTheLimit() {
+        ModuleLayout layout = ModuleLayout.withPreferenceNeurons(1, 1);
+        VariationSettings settings = new VariationSettings(
+                MutationRates.PUBLISHED.withModuleDuplication(0.5),
+                new ModuleGate(MOST_MODULES, 10),
+                0,
+                false,
+                InputSelection.ALL,
+                ActivationFunction.TANH);
+        RandomLineages lineages = new RandomLineages(new InitialNetworks(5, layout), settings, 8, 5000);
+        int[] most = {0};
+        lineages.breed(
+                20 * BREEDINGS,
+                child -> most[0] = Math.max(most[0], child.genotype().modules()));
+        assertThat(most[0]).isEqualTo(MOST_MODULES);
+    }
+
     /** Like an assertion of equality, but quick enough for every gene of every offspring. */
     private static <T> void requireEqual(T actual, T expected, String what) {
         if (!actual.equals(expected)) {
@@ -118,7 +175,6 @@ class RandomChainTest {
         ModuleLayout layout = genotype.layout();
         assertThat(layout.policyNeuronsPerModule()).isEqualTo(start.policyNeuronsPerModule());
         assertThat(layout.standardMultitask()).isEqualTo(start.standardMultitask());
-        assertThat(layout.outputs()).isEqualTo(layout.modules() * layout.neuronsPerModule());
         for (NodeGene node : genotype.nodes()) {
             requireEqual(node.fromCombiningCrossover(), false, "shadow in a network");
         }

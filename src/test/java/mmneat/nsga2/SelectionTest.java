@@ -164,7 +164,10 @@ class SelectionTest {
         assertThatThrownBy(() -> Survival.survivors(new double[][] {{1, 2}, {1}}, 1, Crowding.WHOLE_POPULATION))
                 .hasMessage("individual 1 has 1 objectives, individual 0 has 2");
         assertThatThrownBy(() -> NondominatedSorting.of(new double[][] {{Double.NaN}}, Crowding.PER_FRONT))
-                .hasMessage("individual 0 has a score that is not a number");
+                .hasMessage("individual 0: score of objective 0 must be a finite number, is NaN");
+        assertThatThrownBy(() -> Survival.survivors(
+                        new double[][] {{1, 2}, {1, Double.NEGATIVE_INFINITY}}, 1, Crowding.WHOLE_POPULATION))
+                .hasMessage("individual 1: score of objective 1 must be a finite number, is -Infinity");
         assertThatThrownBy(() -> Survival.survivors(new double[][] {{1}}, 2, Crowding.PER_FRONT))
                 .hasMessage("2 of 1 individuals cannot survive");
         assertThatThrownBy(() -> new Mating(true, 1.5, Crowding.PER_FRONT))

@@ -20,7 +20,7 @@ class ResumableRandomTest {
         Random kinds = new Random(seed + 1);
         for (int i = 0; i < DRAWS; i++) {
             int bound = 1 + kinds.nextInt(kinds.nextBoolean() ? 40 : Integer.MAX_VALUE - 1);
-            switch (kinds.nextInt(8)) {
+            switch (kinds.nextInt(9)) {
                 case 0 -> assertThat(actual.nextInt()).isEqualTo(expected.nextInt());
                 case 1 -> assertThat(actual.nextInt(bound)).isEqualTo(expected.nextInt(bound));
                 case 2 -> assertThat(actual.nextLong()).isEqualTo(expected.nextLong());
@@ -28,6 +28,13 @@ class ResumableRandomTest {
                 case 4 -> assertThat(actual.nextFloat()).isEqualTo(expected.nextFloat());
                 case 5 -> assertThat(actual.nextDouble()).isEqualTo(expected.nextDouble());
                 case 6 -> assertThat(actual.nextInt(64)).isEqualTo(expected.nextInt(64));
+                case 7 -> {
+                    byte[] expectedBytes = new byte[i % 10];
+                    byte[] actualBytes = new byte[i % 10];
+                    expected.nextBytes(expectedBytes);
+                    actual.nextBytes(actualBytes);
+                    assertThat(actualBytes).isEqualTo(expectedBytes);
+                }
                 default -> assertThat(actual.nextGaussian()).isEqualTo(expected.nextGaussian());
             }
         }

@@ -3,6 +3,7 @@ package mmneat.neat.network;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
+import mmneat.analysis.evaluation.ShippedChampions;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -35,8 +36,8 @@ public class ActivationBenchmark {
     private static final int CORRIDOR = 0b0101;
     private static final int JUNCTION = 0b0111;
 
-    /** "champion": 25 hidden neurons and 180 links; "young": 6 and 75. */
-    @Param({"champion", "young"})
+    /** "champion": 25 hidden neurons and 180 links; "young": 6 and 75; "evolved": the champion of a whole run, 12 and 84. */
+    @Param({"champion", "young", "evolved"})
     String size;
 
     private final Genotype[] genotypes = new Genotype[NETWORKS];
@@ -52,7 +53,7 @@ public class ActivationBenchmark {
     public void prepare() {
         SplittableRandom sizes = new SplittableRandom(1);
         for (int i = 0; i < NETWORKS; i++) {
-            genotypes[i] = size.equals("champion") ? SampleGenotypes.champion(sizes) : SampleGenotypes.young(sizes);
+            genotypes[i] = genotype(sizes);
             Network network = Network.compile(genotypes[i]);
             states[i] = network.newState();
             directions[i] = network.newStates(DIRECTIONS);
@@ -65,6 +66,14 @@ public class ActivationBenchmark {
             }
             inputs[row] = Arrays.copyOf(inputActivations[row], stride);
         }
+    }
+
+    private Genotype genotype(SplittableRandom sizes) {
+        return switch (size) {
+            case "champion" -> SampleGenotypes.champion(sizes);
+            case "young" -> SampleGenotypes.young(sizes);
+            default -> ShippedChampions.read("blended").genotype();
+        };
     }
 
     /** One step as a game makes it: activations of the input neurons come from tables. */

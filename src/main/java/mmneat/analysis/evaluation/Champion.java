@@ -59,7 +59,7 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
         }
     }
 
-    /** The file's folder or one or two above it, whichever has parameters; networks of generations stand in folders of a run. */
+    /** The file's folder or the one above it, whichever has parameters; networks of generations stand in folders of a run. */
     private static Optional<Path> runFolder(Path file) {
         return Stream.iterate(file.toAbsolutePath().getParent(), java.util.Objects::nonNull, Path::getParent)
                 .limit(2)

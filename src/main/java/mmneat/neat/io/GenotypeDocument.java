@@ -44,16 +44,24 @@ record GenotypeDocument(
     static final int VERSION = 1;
 
     GenotypeDocument {
+        requireFormat(format);
+        requireVersion(version);
+        requirePresent("moduleUsage", moduleUsage);
+        requirePresent("nodes", nodes);
+        requirePresent("links", links);
+    }
+
+    static void requireFormat(String format) {
         if (!FORMAT.equals(format)) {
             throw new IllegalArgumentException("format: must be \"" + FORMAT + "\", is \"" + format + "\"");
         }
+    }
+
+    static void requireVersion(int version) {
         if (version != VERSION) {
             throw new IllegalArgumentException(
                     "version: this program reads version " + VERSION + ", the file has " + version);
         }
-        requirePresent("moduleUsage", moduleUsage);
-        requirePresent("nodes", nodes);
-        requirePresent("links", links);
     }
 
     static GenotypeDocument of(Genotype genotype) {

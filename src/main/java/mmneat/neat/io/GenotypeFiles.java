@@ -1,6 +1,8 @@
 package mmneat.neat.io;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -13,6 +15,8 @@ public final class GenotypeFiles {
     /** Files beyond this many bytes are refused; a champion takes some 50,000. */
     static final long MAX_BYTES = 64L << 20;
 
+    private static final String BYTE_ORDER_MARK = "\uFEFF";
+
     private GenotypeFiles() {}
 
     /**
@@ -23,10 +27,7 @@ public final class GenotypeFiles {
      */
     public static Genotype read(Path file) throws IOException {
         try {
-            if (Files.size(file) > MAX_BYTES) {
-                throw new GenotypeFormatException("is larger than " + (MAX_BYTES >> 20) + " MiB");
-            }
-            String text = Files.readString(file, StandardCharsets.UTF_8).strip();
+            String text = textOf(file);
             if (text.startsWith("{")) {
                 return GenotypeJson.read(text);
             }
@@ -38,6 +39,22 @@ public final class GenotypeFiles {
             throw new GenotypeFormatException(file + ": " + e.getMessage(), e);
         } catch (CharacterCodingException e) {
             throw new GenotypeFormatException(file + ": is not a text file", e);
+        }
+    }
+
+    /** What a file holds, without white space around it and without the mark that some editors put before it. */
+    private static String textOf(Path file) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            // Counted while reading: pipes and devices have no size.
+            byte[] bytes = in.readNBytes((int) MAX_BYTES + 1);
+            if (bytes.length > MAX_BYTES) {
+                throw new GenotypeFormatException("is larger than " + (MAX_BYTES >> 20) + " MiB");
+            }
+            String text = StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(bytes))
+                    .toString();
+            return (text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text).strip();
         }
     }
 }

@@ -4,7 +4,9 @@ import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.io.JsonEOFException;
 import com.fasterxml.jackson.databind.DeserializationContext;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonMappingException;
@@ -13,10 +15,14 @@ import com.fasterxml.jackson.databind.ObjectReader;
 import com.fasterxml.jackson.databind.ObjectWriter;
 import com.fasterxml.jackson.databind.SerializerProvider;
 import com.fasterxml.jackson.databind.deser.std.StdDeserializer;
+import com.fasterxml.jackson.databind.exc.MismatchedInputException;
+import com.fasterxml.jackson.databind.exc.UnrecognizedPropertyException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.module.SimpleModule;
 import com.fasterxml.jackson.databind.ser.std.StdSerializer;
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Collection;
 import java.util.stream.Collectors;
 import mmneat.neat.Genotype;
 
@@ -71,6 +77,7 @@ public final class GenotypeJson {
      */
     public static Genotype read(String json) throws GenotypeFormatException {
         try {
+            requireThisVersion(json);
             GenotypeDocument document = READER.readValue(json);
             if (document == null) {
                 throw new GenotypeFormatException("the JSON document is empty");
@@ -80,6 +87,10 @@ public final class GenotypeJson {
             throw new GenotypeFormatException(messageOf(e), e);
         } catch (IllegalArgumentException e) {
             throw new GenotypeFormatException(e.getMessage(), e);
+        } catch (GenotypeFormatException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new UncheckedIOException("a text in memory cannot be read", e);
         }
     }
 
@@ -89,6 +100,37 @@ public final class GenotypeJson {
         module.addSerializer(new Serializer());
         module.addDeserializer(Genotype.class, new Deserializer());
         return module;
+    }
+
+    /**
+     * Looks at format and version before anything else: what they mean decides whether the other fields mean anything. A text
+     * that is no object with these two says so itself when it is read.
+     */
+    private static void requireThisVersion(String json) throws IOException, GenotypeFormatException {
+        try (JsonParser parser = MAPPER.createParser(json)) {
+            boolean isFormatKnown = false;
+            boolean isVersionKnown = false;
+            JsonToken token = parser.nextToken();
+            while (token == JsonToken.START_OBJECT
+                    && !(isFormatKnown && isVersionKnown)
+                    && parser.nextToken() == JsonToken.FIELD_NAME) {
+                String field = parser.currentName();
+                JsonToken value = parser.nextToken();
+                if (field.equals("format") && value == JsonToken.VALUE_STRING) {
+                    GenotypeDocument.requireFormat(parser.getText());
+                    isFormatKnown = true;
+                } else if (field.equals("version") && value == JsonToken.VALUE_NUMBER_INT) {
+                    GenotypeDocument.requireVersion(parser.getIntValue());
+                    isVersionKnown = true;
+                } else {
+                    parser.skipChildren();
+                }
+            }
+            if (parser.currentToken() == JsonToken.END_OBJECT && !isFormatKnown) {
+                throw new GenotypeFormatException("format: is missing; a genotype has \"format\" : \""
+                        + GenotypeDocument.FORMAT + "\" and \"version\" : " + GenotypeDocument.VERSION);
+            }
+        }
     }
 
     /** Field, what is wrong, and where in the text; in one line. */
@@ -103,8 +145,41 @@ public final class GenotypeJson {
                 ? ""
                 : " (line " + e.getLocation().getLineNr() + ", column "
                         + e.getLocation().getColumnNr() + ")";
+        return (field.isEmpty() ? "" : field.substring(field.startsWith(".") ? 1 : 0) + ": ") + problemOf(e) + where;
+    }
+
+    private static String problemOf(JacksonException e) {
+        if (e instanceof UnrecognizedPropertyException) {
+            return "unknown field";
+        }
+        if (e instanceof JsonEOFException || e.getCause() instanceof JsonEOFException) {
+            return "the text ends too early";
+        }
         String what = e.getOriginalMessage().lines().findFirst().orElse("not a genotype");
-        return (field.isEmpty() ? "" : field.substring(field.startsWith(".") ? 1 : 0) + ": ") + what + where;
+        if (what.startsWith("Missing required")) {
+            return "is missing";
+        }
+        if (e instanceof MismatchedInputException mismatch && mismatch.getTargetType() != null) {
+            return "must be " + nameOf(mismatch.getTargetType());
+        }
+        // The parser adds which of its settings would let the text pass, and where it stands once more.
+        return what.replaceAll(": enable .*| \\(start marker at .*| \\[Source: .*", "");
+    }
+
+    private static String nameOf(Class<?> type) {
+        if (type == int.class || type == long.class) {
+            return "a whole number" + (type == int.class ? " of at most " + Integer.MAX_VALUE : "");
+        }
+        if (type == double.class) {
+            return "a number";
+        }
+        if (type == boolean.class || type == Boolean.class) {
+            return "true or false";
+        }
+        if (type == String.class) {
+            return "a text in quotation marks";
+        }
+        return type.isArray() || Collection.class.isAssignableFrom(type) ? "a list" : "an object";
     }
 
     private static final class Serializer extends StdSerializer<Genotype> {

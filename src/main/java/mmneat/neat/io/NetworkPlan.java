@@ -170,7 +170,8 @@ final class NetworkPlan {
     /** Evenly spread, in the order of the places of the neurons that they are linked to. */
     private void placeHidden(List<Integer> layer, double rowY) {
         List<Integer> ordered = new ArrayList<>(layer);
-        ordered.sort(Comparator.comparingDouble(this::meanPlaceOfNeighbours));
+        double[] places = meanPlacesOfNeighbours();
+        ordered.sort(Comparator.comparingDouble(neuron -> places[neuron]));
         placeRow(ordered, rowY);
         // Slightly staggered, so that links along a row can be told apart.
         for (int i = 0; i < ordered.size(); i++) {
@@ -178,12 +179,26 @@ final class NetworkPlan {
         }
     }
 
-    private double meanPlaceOfNeighbours(int neuron) {
-        return graph.links().stream()
-                .filter(link -> (link.source() == neuron) != (link.target() == neuron))
-                .mapToDouble(link -> x[link.source() == neuron ? link.target() : link.source()])
-                .filter(place -> place > 0)
-                .average()
-                .orElse(width / 2);
+    /** Per neuron: the mean place of the neurons that have one already and are linked to it. */
+    private double[] meanPlacesOfNeighbours() {
+        double[] sum = new double[x.length];
+        int[] count = new int[x.length];
+        for (NetworkGraph.Link link : graph.links()) {
+            if (link.source() != link.target()) {
+                addPlace(link.source(), link.target(), sum, count);
+                addPlace(link.target(), link.source(), sum, count);
+            }
+        }
+        for (int neuron = 0; neuron < sum.length; neuron++) {
+            sum[neuron] = count[neuron] == 0 ? width / 2 : sum[neuron] / count[neuron];
+        }
+        return sum;
+    }
+
+    private void addPlace(int neuron, int neighbour, double[] sum, int[] count) {
+        if (x[neighbour] > 0) {
+            sum[neuron] += x[neighbour];
+            count[neuron]++;
+        }
     }
 }

@@ -24,8 +24,12 @@ record XmlElement(String name, Map<String, String> attributes, List<XmlElement> 
     /** The original nests nine levels deep. */
     private static final int MAX_DEPTH = 32;
 
+    /** Enough for 60,000 links; every element takes some 250 bytes of memory. */
+    private static final int MAX_ELEMENTS = 500_000;
+
     /**
-     * Parses a document. Document types, and with them entities of any kind, are refused; so are deep nests.
+     * Parses a document. Document types, and with them entities of any kind, are refused; so are deep nests and
+     * documents of too many elements.
      *
      * @throws GenotypeFormatException if the text is no such document
      */
@@ -50,9 +54,13 @@ record XmlElement(String name, Map<String, String> attributes, List<XmlElement> 
     private static XmlElement parse(XMLStreamReader reader) throws XMLStreamException, GenotypeFormatException {
         List<XmlElement> open = new ArrayList<>();
         XmlElement root = null;
+        int elements = 0;
         while (reader.hasNext()) {
             switch (reader.next()) {
                 case XMLStreamConstants.START_ELEMENT -> {
+                    if (++elements > MAX_ELEMENTS) {
+                        throw new GenotypeFormatException("more than " + MAX_ELEMENTS + " XML elements" + line(reader));
+                    }
                     XmlElement element = elementAt(reader);
                     if (open.isEmpty()) {
                         root = element;

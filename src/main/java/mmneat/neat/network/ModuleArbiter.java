@@ -13,6 +13,9 @@ import mmneat.random.ResumableRandom;
  */
 final class ModuleArbiter {
 
+    /** Preference of a module that serves another task than the preset one: not to be chosen, whatever the others'. */
+    private static final double OTHER_TASK = Double.NEGATIVE_INFINITY;
+
     private final ModuleLayout layout;
     private final ModuleArbitration arbitration;
     private final int[] taskOfModule;
@@ -34,10 +37,6 @@ final class ModuleArbiter {
             throw new IllegalArgumentException(
                     "taskOfModule must name a task for each of " + modules + " modules, names " + taskOfModule.length);
         }
-        if (arbitration.disabledModule() >= modules) {
-            throw new IllegalArgumentException(
-                    "disabledMode must be one of " + modules + " modules, is " + arbitration.disabledModule());
-        }
         if (arbitration.answer() == ModuleArbitration.Answer.ENSEMBLE && layout.hasPreferenceNeurons()) {
             throw new IllegalArgumentException("an ensemble's modules must not have preference neurons");
         }
@@ -47,9 +46,10 @@ final class ModuleArbiter {
     int choose(NetworkState state, int preset, ResumableRandom random) {
         for (int module = 0; module < preferences.length; module++) {
             preferences[module] = preference(state, module, preset) - fatigue[module];
-            boolean othersTask = taskOfModule.length > 0 && taskOfModule[module] != preset;
-            if (othersTask || module == arbitration.disabledModule()) {
-                preferences[module] = ModuleArbitration.RULED_OUT;
+            if (taskOfModule.length > 0 && taskOfModule[module] != preset) {
+                preferences[module] = OTHER_TASK;
+            } else if (module == arbitration.disabledModule()) {
+                preferences[module] = ModuleArbitration.DISABLED;
             }
         }
         int chosen = arbitration.softmaxTemperature() > 0 ? drawByShare(random) : Argmax.of(preferences, random);
@@ -68,10 +68,10 @@ final class ModuleArbiter {
     }
 
     private int drawByShare(ResumableRandom random) {
-        double total = 0;
-        for (int module = 0; module < shares.length; module++) {
-            shares[module] = StrictMath.exp(preferences[module] / arbitration.softmaxTemperature());
-            total += shares[module];
+        double total = computeShares(0);
+        if (!(total > 0 && total < Double.POSITIVE_INFINITY)) {
+            // At low temperatures the exponentials leave the range of numbers; their proportions stay the same.
+            total = computeShares(highestPreference());
         }
         double left = random.nextDouble() * total;
         int module = 0;
@@ -79,6 +79,24 @@ final class ModuleArbiter {
             left -= shares[module++];
         }
         return module;
+    }
+
+    /** Puts exp((preference - offset) / temperature) into the shares, and adds them up. */
+    private double computeShares(double offset) {
+        double total = 0;
+        for (int module = 0; module < shares.length; module++) {
+            shares[module] = StrictMath.exp((preferences[module] - offset) / arbitration.softmaxTemperature());
+            total += shares[module];
+        }
+        return total;
+    }
+
+    private double highestPreference() {
+        double highest = preferences[0];
+        for (double preference : preferences) {
+            highest = Math.max(highest, preference);
+        }
+        return highest;
     }
 
     private void tire(int chosen) {
@@ -95,16 +113,30 @@ final class ModuleArbiter {
         Arrays.fill(fatigue, 0);
     }
 
+    /** Refuses a preset task that no module serves; without tasks, nothing. */
+    void requireTask(int task) {
+        boolean isServed = taskOfModule.length == 0;
+        for (int served : taskOfModule) {
+            isServed |= served == task;
+        }
+        if (!isServed) {
+            throw new IllegalArgumentException(
+                    "no module serves task " + task + ", only " + Arrays.toString(taskOfModule));
+        }
+    }
+
     /** Whether the answer is made of all modules' answers. */
     boolean averages() {
         return arbitration.answer() != ModuleArbitration.Answer.CHOSEN_MODULE;
     }
 
-    /** One value of the combined answer of the last step. */
+    /** One value of the combined answer of the last step; modules of other tasks contribute nothing. */
     double average(NetworkState state, int neuron) {
         double sum = 0;
         for (int module = 0; module < preferences.length; module++) {
-            sum += preferences[module] * state.moduleOutput(module, neuron);
+            if (preferences[module] != OTHER_TASK) {
+                sum += preferences[module] * state.moduleOutput(module, neuron);
+            }
         }
         return sum / preferences.length;
     }

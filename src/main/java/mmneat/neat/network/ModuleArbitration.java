@@ -9,12 +9,12 @@ import java.util.Arrays;
  *
  * @param softmaxTemperature if positive, a module is drawn with a probability proportional to exp(preference /
  *     temperature); 0: the highest preference wins
- * @param disabledModule module that is as good as never chosen; -1 for none
+ * @param disabledModule module that is as good as never chosen, in networks that have it; -1 for none
  * @param fatigueUnit what the chosen module's fatigue grows by; fatigue is subtracted from a module's preference
  * @param fatigueDecay what the other modules' fatigue is multiplied by
  * @param answer whose policy activations the network returns
- * @param taskOfModule hierarchical multitask: the task that each module serves, and the preset module then is a task; empty
- *     if modules serve no particular task
+ * @param taskOfModule hierarchical multitask: the task that each module serves, and the preset module then is a task, of whose
+ *     modules alone one is chosen; empty if modules serve no particular task
  */
 public record ModuleArbitration(
         double softmaxTemperature,
@@ -38,8 +38,8 @@ public record ModuleArbitration(
     public static final ModuleArbitration PREFERENCE =
             new ModuleArbitration(0, -1, 0, 1, Answer.CHOSEN_MODULE, new int[0]);
 
-    /** Preference of a module that is out of the question: below every activation. */
-    static final double RULED_OUT = -2;
+    /** Preference of a disabled module, as in the original: below every activation of tanh. */
+    static final double DISABLED = -2;
 
     public ModuleArbitration {
         if (!(softmaxTemperature >= 0)) {

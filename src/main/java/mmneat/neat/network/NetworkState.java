@@ -98,8 +98,9 @@ public final class NetworkState {
      * Makes one step of a multitask network in which {@code module} is the one to use; one {@code nextInt} is drawn
      * nevertheless.
      *
-     * @return {@code module}
-     * @throws IllegalArgumentException if there is no such module
+     * @return the chosen module: {@code module} itself, unless the state's {@link ModuleArbitration} takes it for a task or changes
+     *     preferences
+     * @throws IllegalArgumentException as for {@link #presetModule}
      */
     public int activateWithModule(double[] inputs, int module, ResumableRandom random) {
         presetModule(module);
@@ -110,12 +111,15 @@ public final class NetworkState {
      * Names the module that a multitask network uses from now on (0 at first); with {@link ModuleArbitration#withTasks},
      * the task. Networks with preference neurons do not look at it otherwise.
      *
-     * @throws IllegalArgumentException if it is negative, or a multitask network has no such module
+     * @throws IllegalArgumentException if it is negative, or a multitask network has no such module, or none serves that task
      */
     public void presetModule(int module) {
         if (module < 0 || network.layout.standardMultitask() && module >= network.modules()) {
             throw new IllegalArgumentException(
                     "module must be one of the network's " + network.modules() + ", is " + module);
+        }
+        if (arbiter != null) {
+            arbiter.requireTask(module);
         }
         presetModule = module;
     }

@@ -2,6 +2,7 @@ package mmneat.neat.io;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
@@ -63,18 +64,25 @@ class GenotypeJsonTest {
                     """
                     "version" : 1               | "version" : 2                | version: this program reads version 1, the file has 2
                     "mmneat-genotype"           | "neat-python"                | format: must be "mmneat-genotype", is "neat-python"
-                    "inputs" : 3                | "inputs" : "3"               | inputs: Cannot coerce String value
+                    "inputs" : 3                | "inputs" : "3"               | inputs: must be a whole number
                     "inputs" : 3                | "inputs" : 2                 | nodes[2]: must be of type HIDDEN
-                    "inputs" : 3                | "inputs" : null              | inputs: Cannot map `null`
-                    "inputs" : 3                | "inputs" : 3, "bias" : 1     | bias: Unrecognized field
-                    "inputs" : 3,               |                              | Missing required creator property 'inputs'
+                    "inputs" : 3                | "inputs" : null              | inputs: must be a whole number
+                    "inputs" : 3                | "inputs" : 3, "bias" : 1     | bias: unknown field
+                    "inputs" : 3,               |                              | inputs: is missing
                     "id" : 7                    | "id" : 7, "id" : 7           | Duplicate field 'id'
-                    "modules" : 2               | "modules" : 2.5              | modules: Cannot coerce
+                    "modules" : 2               | "modules" : 2.5              | modules: must be a whole number
                     "type" : "output"           | "type" : "motor"             | nodes[3].type: must be one of input, hidden, output, is "motor"
                     "activation" : "tanh"       | "activation" : "relu"        | nodes[0].activation: must be one of logistic, tanh
                     "source" : -1               | "source" : 12                | links[0]: no node has innovation 12
-                    "active" : true             | "active" : "yes"             | links[0].active: Cannot coerce
-                    "active" : true             | "active" : true, "delay" : 1 | links[0].delay: Unrecognized field
+                    "active" : true             | "active" : "yes"             | links[0].active: must be true or false
+                    "nodes" : [                 | "nodes" : {}, "links" : [    | nodes: must be a list
+                    "type" : "output"           | "type" : {}                  | nodes[3].type: must be a text
+                    "version" : 1,              | "version" : 2, "genes" : [], | version: this program reads version 1, the file has 2
+                    "format"                    | "form"                       | format: is missing
+                    "outputs" : 4               | "outputs" : 5                | outputs: 5 cannot be 2 modules
+                    "outputs" : 4               | "outputs" : -2147483648      | outputs: -2147483648 cannot be 2 modules
+                    "inputs" : 3                | "inputs" : 2147483647        | too few for 2147483647 inputs
+                    "active" : true             | "active" : true, "delay" : 1 | links[0].delay: unknown field
                     """)
     void damagedDocument_isRefused_namingTheField(String good, String bad, String message) {
         String json = GenotypeJson.write(NETWORK);
@@ -84,6 +92,14 @@ class GenotypeJsonTest {
                 .isInstanceOf(GenotypeFormatException.class)
                 .hasMessageContaining(message)
                 .hasMessageNotContaining("\n");
+    }
+
+    @Test
+    void documentThatEndsTooEarly_isRefused_namingOnePlace() {
+        String json = GenotypeJson.write(NETWORK);
+
+        assertThatThrownBy(() -> GenotypeJson.read(json.substring(0, json.indexOf("links"))))
+                .hasMessageMatching("(\\w+: )?the text ends too early \\(line \\d+, column \\d+\\)");
     }
 
     @ParameterizedTest
@@ -106,6 +122,21 @@ class GenotypeJsonTest {
         assertThatThrownBy(() -> GenotypeJson.read("{\"other\":" + "[".repeat(100_000)))
                 .isInstanceOf(GenotypeFormatException.class)
                 .hasMessageContaining("nesting depth");
+    }
+
+    @Test
+    void byteOrderMark_isNoPartOfTheText(@TempDir Path folder) throws IOException {
+        Path file = Files.writeString(folder.resolve("champion.json"), "\uFEFF" + GenotypeJson.write(NETWORK));
+
+        assertThat(GenotypeFiles.read(file)).isEqualTo(NETWORK);
+    }
+
+    @Test
+    void endlessFile_isRefused() {
+        Path zeros = Path.of("/dev/zero");
+        assumeThat(zeros).exists();
+
+        assertThatThrownBy(() -> GenotypeFiles.read(zeros)).hasMessage("/dev/zero: is larger than 64 MiB");
     }
 
     @Test

@@ -92,7 +92,7 @@ class GenotypeXmlTest {
                     name="numIn" type="int" value="3"      | name="numIn" type="int" value="three"   | numIn: must be a whole number, is "three"
                     name="numIn" type="int" value="3"      | name="numIn" type="int" value="4"       | nodes: 7 are too few for 4 inputs and 4 outputs
                     name="numIn"                           | name="inputs"                           | unknown field inputs
-                    name="numModes" type="int" value="2"   | name="numModes" type="int" value="3"    | 4 outputs cannot be 3 modules
+                    name="numModes" type="int" value="2"   | name="numModes" type="int" value="3"    | outputs: 4 cannot be 3 modules
                     name="ntype" type="int" value="2"      | name="ntype" type="int" value="9"       | node type must be 0, 1 or 2, is 9
                     name="active" type="boolean" value="true" | name="active" type="boolean" value="1" | links[0].active: must be true or false
                     name="sourceInnovation" type="long" value="-1" | name="sourceInnovation" type="long" value="99" | links[0]: no node has innovation 99
@@ -138,6 +138,13 @@ class GenotypeXmlTest {
 
         assertThatThrownBy(() -> GenotypeXml.read(types + "]><object>&a29;</object>"))
                 .isInstanceOf(GenotypeFormatException.class);
+    }
+
+    @Test
+    void tooManyElements_areRefused() {
+        assertThatThrownBy(() -> GenotypeXml.read("<object>" + "<a/>".repeat(500_000) + "</object>"))
+                .isInstanceOf(GenotypeFormatException.class)
+                .hasMessageStartingWith("more than 500000 XML elements");
     }
 
     @Test

@@ -14,6 +14,8 @@ import mmneat.neat.NodeGene;
 import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The ways of choosing and combining modules that the published experiments do not use. */
 class ModuleArbitrationTest {
@@ -62,6 +64,25 @@ class ModuleArbitrationTest {
         assertThat(state.policyOutput(0)).isEqualTo(10);
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-3, 1e-300})
+    void softmax_nearTemperatureZero_choosesTheHighest_whateverItsSign(double temperature) {
+        ModuleArbitration cold = ModuleArbitration.PREFERENCE.withSoftmax(temperature);
+        for (double shift : new double[] {0, -2}) {
+            NetworkState state = state(
+                    SampleGenotypes.withPreference(3), cold, 10, 0.96 + shift, 20, 0.1 + shift, 30, -0.46 + shift);
+            for (int i = 0; i < 100; i++) {
+                assertThat(state.activate(ONE, random)).isZero();
+            }
+        }
+    }
+
+    @Test
+    void disabledModule_thatANetworkLacks_disablesNothing() {
+        NetworkState state = threeModules(ModuleArbitration.PREFERENCE.withDisabledModule(3));
+        assertThat(state.activate(ONE, random)).isEqualTo(2);
+    }
+
     @Test
     void fatigue_letsOthersTakeTurns_andFadesWhileResting() {
         NetworkState state = threeModules(ModuleArbitration.PREFERENCE.withFatigue(0.375, 0.5));
@@ -103,6 +124,20 @@ class ModuleArbitrationTest {
     }
 
     @Test
+    void hierarchicalMultitask_keepsToTheTask_alsoWhenTiredOrDrawing() {
+        ModuleArbitration tasks = ModuleArbitration.PREFERENCE.withTasks(0, 0, 1);
+        NetworkState tired = threeModules(tasks.withFatigue(5, 1));
+        NetworkState drawing = threeModules(tasks.withSoftmax(10));
+        for (int i = 0; i < 200; i++) {
+            assertThat(tired.activateWithModule(ONE, 0, random)).isLessThan(2);
+            assertThat(drawing.activateWithModule(ONE, 1, random)).isEqualTo(2);
+        }
+        NetworkState average = threeModules(tasks.withAnswer(ModuleArbitration.Answer.WEIGHTED_AVERAGE));
+        average.activateWithModule(ONE, 0, random);
+        assertThat(average.policyOutput(0)).isEqualTo((0.5 * 10 + 0.25 * 20) / 3);
+    }
+
+    @Test
     void plainArbitration_drawsOneInteger_softmaxOneDouble() {
         ResumableRandom expected = random.copy();
         threeModules(ModuleArbitration.PREFERENCE.withDisabledModule(0)).activate(ONE, random);
@@ -123,8 +158,8 @@ class ModuleArbitrationTest {
         assertThatIllegalArgumentException().isThrownBy(() -> plain.withDisabledModule(-2));
         assertThatIllegalArgumentException().isThrownBy(() -> plain.withFatigue(Double.NaN, 1));
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> threeModules(plain.withDisabledModule(3)))
-                .withMessageContaining("3 modules");
+                .isThrownBy(() -> threeModules(plain.withTasks(0, 0, 1)).presetModule(2))
+                .withMessage("no module serves task 2, only [0, 0, 1]");
         assertThatIllegalArgumentException().isThrownBy(() -> threeModules(plain.withTasks(0, 1)));
     }
 }

@@ -1,0 +1,115 @@
+package mmneat.neat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.Test;
+
+/** Settings that the published experiments leave alone: what they change, and how many draws they take. */
+class VariationOptionsTest {
+
+    private static final int INPUTS = 7;
+    private static final MutationRates NO_CHANGE = new MutationRates(
+            0,
+            0,
+            0,
+            0,
+            MutationRates.ModuleRates.NONE,
+            MutationRates.DeletionRates.NONE,
+            MutationRates.FreezingRates.NONE);
+
+    private final ResumableRandom random = new ResumableRandom(11);
+    private final Genotype network =
+            new InitialNetworks(INPUTS, ModuleLayout.withPreferenceNeurons(2, 1)).create(0, random);
+
+    private static VariationSettings settings(MutationRates rates, InputSelection selection) {
+        return new VariationSettings(rates, ModuleGate.PUBLISHED, 0, false, selection, ActivationFunction.TANH);
+    }
+
+    /** Mutates the network and counts the draws of a number that decides about an operator. */
+    private int drawsOf(VariationSettings settings, int[] usage) {
+        ResumableRandom counted = random.copy();
+        GenotypeDraft draft = GenotypeDraft.of(network.withModuleUsage(usage));
+        List<String> performed = new OffspringMutation(settings).apply(draft, GenePool.foundedOn(network), counted);
+        assertThat(performed).isEmpty();
+        ResumableRandom expected = random.copy();
+        int draws = 0;
+        while (!expected.state().equals(counted.state())) {
+            expected.nextDouble();
+            draws++;
+        }
+        return draws;
+    }
+
+    @Test
+    void everyOperatorOfRateZero_takesItsDraw() {
+        assertThat(drawsOf(settings(NO_CHANGE, InputSelection.ALL), new int[] {50, 50}))
+                .as("three of freezing, two of deletion, four of modules, splice, link, weight")
+                .isEqualTo(12);
+        assertThat(drawsOf(settings(NO_CHANGE, InputSelection.ALL), new int[] {0, 100}))
+                .as("the same without modules: the gate is closed")
+                .isEqualTo(8);
+        assertThat(drawsOf(settings(NO_CHANGE, InputSelection.ALL), new int[] {100}))
+                .as("usage of another number of modules leaves the gate open")
+                .isEqualTo(12);
+        assertThat(drawsOf(settings(NO_CHANGE, new InputSelection(true, 3)), new int[] {50, 50}))
+                .as("feature selective networks are never given full modules: no draw for them")
+                .isEqualTo(11);
+    }
+
+    @Test
+    void networkOfAllModulesAllowed_gainsNone() {
+        assertThat(new ModuleGate(2, 10).isOpen(1, new int[] {100})).isTrue();
+        assertThat(new ModuleGate(2, 10).isOpen(2, new int[] {50, 50})).isFalse();
+    }
+
+    @Test
+    void selectiveStart_linksEachPolicyNeuronToSoManyDifferentInputs() {
+        InputSelection three = new InputSelection(true, 3);
+        InitialNetworks networks =
+                new InitialNetworks(INPUTS, ModuleLayout.withPreferenceNeurons(2, 1), three, ActivationFunction.TANH);
+        int[] timesLinked = new int[INPUTS];
+        for (int i = 0; i < 500; i++) {
+            Genotype selective = networks.create(i, random);
+            for (int output = 0; output < 4; output++) {
+                long target = selective.nodes().get(INPUTS + output).innovation();
+                long[] sources = selective.links().stream()
+                        .filter(link -> link.target() == target)
+                        .mapToLong(LinkGene::source)
+                        .distinct()
+                        .toArray();
+                assertThat(sources).hasSize(selective.layout().isPreference(output) ? 1 : 3);
+                for (long source : sources) {
+                    timesLinked[(int) -source - 1]++;
+                }
+            }
+        }
+        assertThat(timesLinked).as("8 of 28 links a network, 4,000 in all").doesNotContain(0);
+        assertThat(new InputSelection(true, 100).linksInto(INPUTS)).isEqualTo(INPUTS);
+    }
+
+    @Test
+    void withoutRatePerLink_oneWeightChanges() {
+        MutationRates oneWeight = new MutationRates(
+                0,
+                0,
+                0,
+                1,
+                MutationRates.ModuleRates.NONE,
+                MutationRates.DeletionRates.NONE,
+                MutationRates.FreezingRates.NONE);
+        GenotypeDraft draft = GenotypeDraft.of(network.withModuleUsage(new int[] {0, 100}));
+
+        List<String> performed = new OffspringMutation(settings(oneWeight, InputSelection.ALL))
+                .apply(draft, GenePool.foundedOn(network), random);
+
+        assertThat(performed).hasSize(1);
+        List<LinkGene> links = draft.finish().links();
+        long changed = 0;
+        for (int i = 0; i < links.size(); i++) {
+            changed += links.get(i).equals(network.links().get(i)) ? 0 : 1;
+        }
+        assertThat(changed).isEqualTo(1);
+    }
+}
