@@ -130,7 +130,7 @@ class RandomChainTest {
     @Test
     void fullModulesOfManyHistories_withExcessCrossoverAndDeletion_stayNetworks() {
         ModuleLayout layout = ModuleLayout.withPreferenceNeurons(2, 1);
-        for (int chain = 0; chain < 10 * CHAINS; chain++) {
+        for (int chain = 0; chain < 3 * CHAINS; chain++) {
             RandomLineages lineages =
                     new RandomLineages(new InitialNetworks(5, layout), everything(0.1, 0.1, 0.3), 8, 4000 + chain);
             Map<Long, String> structures = new HashMap<>();
