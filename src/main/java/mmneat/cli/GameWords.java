@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import pacman.game.GameRules;
 import pacman.game.GhostLocations;
@@ -83,7 +84,7 @@ final class GameWords {
         try (Reader text = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
             return GhostLocations.read(file.toString(), text);
         } catch (IOException e) {
-            throw new UserError("ghostLocations: cannot read " + file + ": " + reason(e), e);
+            throw new UserError("ghostLocations: cannot read " + file + ": " + FileTrouble.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError("ghostLocations: " + e.getMessage(), e);
         }
@@ -98,20 +99,9 @@ final class GameWords {
         try {
             return Mazes.of(List.of(MazeTables.read(file)));
         } catch (IOException e) {
-            throw new UserError("maze: cannot read " + file + ": " + reason(e), e);
+            throw new UserError("maze: cannot read " + file + ": " + FileTrouble.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError(e.getMessage(), e);
         }
-    }
-
-    /** What went wrong with a file, where the exception's own message is just its name. */
-    static String reason(IOException e) {
-        if (e instanceof java.nio.file.NoSuchFileException) {
-            return "there is no such file";
-        }
-        if (e instanceof java.nio.file.AccessDeniedException) {
-            return "permission denied";
-        }
-        return e.getClass().getSimpleName() + ": " + e.getMessage();
     }
 }

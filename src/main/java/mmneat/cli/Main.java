@@ -1,9 +1,15 @@
 package mmneat.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import mmneat.experiment.FileTrouble;
+import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -67,11 +73,22 @@ public final class Main implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         CommandLine line = command.commandLine();
-        if (words.isEmpty()) {
+        if (words.isEmpty() || words.equals(List.of("help"))) {
             FirstPage.print(line.getOut());
             return ExitCode.OK;
         }
+        requireParameters(line);
         return new MainJob(words, line.getOut(), line.getErr()).call();
+    }
+
+    /** A first word without "=" or ":" was meant to be a command. */
+    private void requireParameters(CommandLine line) {
+        String first = words.get(0);
+        if (first.indexOf('=') < 0 && first.indexOf(':') < 0) {
+            throw new UserError("'" + first + "' is no command"
+                    + NearestName.suggestion(first, line.getSubcommands().keySet())
+                    + " and no parameter, which are written name=value; --help lists the commands");
+        }
     }
 
     private static int report(Exception failure, CommandLine line) {
@@ -81,9 +98,29 @@ public final class Main implements Callable<Integer> {
             errors.flush();
             return ExitCode.USAGE;
         }
+        IOException fileFailure = fileFailure(failure);
+        if (fileFailure != null) {
+            errors.println("mmneat: " + FileTrouble.sentence(fileFailure));
+            errors.flush();
+            return ExitCode.USAGE;
+        }
+        if (failure instanceof InvalidPathException name) {
+            errors.println("mmneat: '" + name.getInput() + "' cannot be the name of a file here (" + name.getReason()
+                    + "); if it has letters beyond ASCII, set LC_ALL=C.UTF-8");
+            errors.flush();
+            return ExitCode.USAGE;
+        }
         failure.printStackTrace(errors);
         errors.flush();
         return ExitCode.SOFTWARE;
+    }
+
+    /** The trouble with a file that nobody has put into words before; null if it is something else. */
+    private static IOException fileFailure(Exception failure) {
+        if (failure instanceof UncheckedIOException unchecked) {
+            return unchecked.getCause();
+        }
+        return failure instanceof FileSystemException file ? file : null;
     }
 
     private static int report(ParameterException mistake) {

@@ -13,6 +13,8 @@ import mmneat.experiment.ParameterCatalogue;
 import mmneat.experiment.ParameterReader;
 import mmneat.experiment.RunMonitor;
 import mmneat.experiment.RunOutcome;
+import mmneat.experiment.TaskKind;
+import mmneat.experiment.UserError;
 import mmneat.experiment.cluster.ShellWord;
 import picocli.CommandLine.ExitCode;
 
@@ -55,13 +57,13 @@ final class MainJob implements Callable<Integer> {
         List<RunOutcome> outcomes;
         try {
             outcomes = experiment.run();
+        } catch (UserError mistake) {
+            removeHook(interruption);
+            throw mistake;
         } finally {
             progress.close();
         }
-        try {
-            Runtime.getRuntime().removeShutdownHook(interruption);
-        } catch (IllegalStateException e) {
-            // The program is being ended just now: the hook has the last word.
+        if (!removeHook(interruption)) {
             interruption.join();
             return ExitCode.SOFTWARE;
         }
@@ -80,6 +82,15 @@ final class MainJob implements Callable<Integer> {
         return exitCode(outcomes);
     }
 
+    /** False if the program is being ended just now: then the hook has the last word. */
+    private static boolean removeHook(Thread hook) {
+        try {
+            return Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException e) {
+            return false;
+        }
+    }
+
     private void showFurther(ExperimentPlan plan, List<RunOutcome> outcomes, Optional<Path> curve) {
         Optional<Path> best = new ResultTable(plan, outcomes).best().map(outcome -> outcome.run()
                 .directory());
@@ -87,7 +98,9 @@ final class MainJob implements Callable<Integer> {
             out.println();
             out.println("Learning curve: " + curve.get() + " (and .png)");
             out.println("To look further:");
-            out.println("  java -jar mmneat.jar watch " + best.get());
+            if (TaskKind.of(plan.parameters()) != TaskKind.OWN) {
+                out.println("  java -jar mmneat.jar watch " + best.get());
+            }
             out.println("  java -jar mmneat.jar network " + best.get().resolve("champion.json"));
             out.println("  java -jar mmneat.jar status " + plan.base());
             out.println("  java -jar mmneat.jar compare " + plan.base());

@@ -90,7 +90,7 @@ final class NetworkCommand extends WordCommand implements Runnable {
     }
 
     private static String formatOf(Path out) {
-        String name = out.getFileName().toString();
+        String name = String.valueOf(out.getFileName());
         String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         if (!FORMATS.contains(ending)) {
             throw new UserError("out=" + out + ": the ending tells no format; name the file *."

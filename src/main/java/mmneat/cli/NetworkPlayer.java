@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import mmneat.analysis.evaluation.ShippedChampions;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.NetworkPacMan;
 import mmneat.mspacman.modules.ModuleDivision;
@@ -59,7 +60,7 @@ final class NetworkPlayer {
         } catch (GenotypeFormatException e) {
             throw new UserError("pacman: " + e.getMessage(), e);
         } catch (IOException e) {
-            throw new UserError("pacman: cannot read " + file + ": " + GameWords.reason(e), e);
+            throw new UserError("pacman: cannot read " + file + ": " + FileTrouble.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError("pacman=" + file + ": " + e.getMessage(), e);
         }

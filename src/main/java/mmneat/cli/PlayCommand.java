@@ -15,6 +15,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import mmneat.cli.entry.ControllerFactory;
 import mmneat.cli.entry.ControllerLoader;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import mmneat.random.ResumableRandom;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
@@ -244,6 +245,8 @@ final class PlayCommand extends WordCommand implements Runnable {
 
         private void record(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
             if (timed) {
+                // The competition's method prints that it could not write, after the game.
+                OutputFile.write(recording, "");
                 executor.runGameTimedRecorded(game, player, team, view, recording.toString());
                 return;
             }
@@ -251,7 +254,7 @@ final class PlayCommand extends WordCommand implements Runnable {
             try {
                 Files.writeString(recording, states + System.lineSeparator(), StandardCharsets.UTF_8);
             } catch (IOException e) {
-                throw new UserError("record: cannot write " + recording + ": " + GameWords.reason(e), e);
+                throw new UserError("record: cannot write " + recording + ": " + FileTrouble.reason(e), e);
             }
         }
 

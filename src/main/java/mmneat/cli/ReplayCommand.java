@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import pacman.Executor;
 import pacman.Recording;
@@ -55,7 +56,7 @@ final class ReplayCommand extends WordCommand implements Runnable {
                     + (game.getCurrentLevel() + 1) + ", time " + game.getTotalTime() + ", lives "
                     + game.getPacmanNumberOfLivesRemaining());
         } catch (IOException e) {
-            throw new UserError("cannot read " + file + ": " + GameWords.reason(e), e);
+            throw new UserError("cannot read " + file + ": " + FileTrouble.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError(file + ": " + e.getMessage(), e);
         }

@@ -10,6 +10,7 @@ import java.util.Map;
 import mmneat.analysis.ExperimentComparison;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.ChampionEvaluator;
+import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.figures.Figure;
 import mmneat.analysis.replay.GameRecording;
@@ -107,7 +108,7 @@ final class ReportCommand extends WordCommand implements Runnable {
                         default -> List.of();
                     };
             for (RunResult run : runs) {
-                if (Champion.isIn(run.folder())) {
+                if (Champion.isIn(run.folder()) && PlayerSettings.isPlayer(Champion.read(run.folder()))) {
                     String name = (experiment.label() + "-" + run.number()).replaceAll("[^A-Za-z0-9]+", "-") + ".html";
                     OutputFile.write(out.resolveSibling(folder).resolve(name), replay(words, experiment, run));
                     links.put(run.folder(), folder + "/" + name);
@@ -123,7 +124,8 @@ final class ReportCommand extends WordCommand implements Runnable {
         MsPacManTaskSettings settings = ChampionWords.settings(words, champion, Rules.TRAINING);
         long seed;
         try {
-            seed = ChampionEvaluator.typicalGame(run.folder(), Rules.TRAINING).orElse(0L);
+            seed = ChampionEvaluator.typicalGame(champion, run.folder(), Rules.TRAINING)
+                    .orElse(0L);
         } catch (IOException e) {
             throw new UserError(run.folder() + ": " + e.getMessage(), e);
         }

@@ -35,10 +35,14 @@ final class ResultTable {
             if (complete.size() > MOST_LINES) {
                 out.println("  and " + (complete.size() - MOST_LINES) + " more");
             }
-            int generations = plan.parameters().integer("maxGens");
-            if (generations > 0) {
+            // A run may have more generations than it was asked for now.
+            List<Integer> generations = complete.stream()
+                    .map(outcome -> outcome.status().generation())
+                    .distinct()
+                    .toList();
+            if (generations.size() == 1 && generations.get(0) > 0) {
                 // The final parents are scored, but as in the original the champion is chosen in the generation before.
-                out.println("champion.json: the best parent of generation " + (generations - 1)
+                out.println("champion.json: the best parent of generation " + (generations.get(0) - 1)
                         + ", the last that had children");
             }
         }

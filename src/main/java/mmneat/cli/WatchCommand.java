@@ -63,9 +63,13 @@ final class WatchCommand extends WordCommand implements Runnable {
         long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         MsPacManTaskSettings settings = ChampionWords.settings(words, champion, rules);
         Path out = words.path("out").orElse(Path.of(champion.name() + ".html"));
+        String name = out.toString().toLowerCase(Locale.ROOT);
+        if (!name.matches(".*\\.(html?|gif)")) {
+            throw new UserError("out=" + out + ": must end in .html (a page) or .gif (an animated picture)");
+        }
         if (words.flag("window", false)) {
             showWindow(words, champion, settings, seed);
-        } else if (out.toString().toLowerCase(Locale.ROOT).endsWith(".gif")) {
+        } else if (name.endsWith(".gif")) {
             writeGif(out, champion, settings, seed);
         } else {
             writePage(out, champion, settings, rules, seed);

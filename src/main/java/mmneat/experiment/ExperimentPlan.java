@@ -36,7 +36,10 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
         String method = methodLabel(parameters);
         String base = parameters.isGiven("base") ? parameters.text("base") : "results/" + task;
         String saveTo = parameters.isGiven("saveTo") ? parameters.text("saveTo") : method;
-        String log = parameters.isGiven("log") ? parameters.text("log") : task + "-" + method;
+        // Experiments that differ in the names of their runs must not share the files of all runs.
+        String label =
+                parameters.isGiven("saveTo") ? saveTo.replaceAll("[-_]+$", "").replace('/', '-') : method;
+        String log = parameters.isGiven("log") ? parameters.text("log") : task + "-" + label;
         Parameters placed = parameters.with("base", base).with("saveTo", saveTo).with("log", log);
         List<RunPlan> runs = numbers.stream()
                 .map(number -> new RunPlan(

@@ -3,19 +3,24 @@ package mmneat.experiment;
 import com.fasterxml.jackson.core.type.TypeReference;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
+import java.nio.file.FileVisitOption;
+import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 
 /**
  * An experiment as its files show it: its runs, those included that were asked for and have not begun.
@@ -50,27 +55,50 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
         Map<String, Map<Integer, RunView>> byExperiment = new TreeMap<>();
         Map<String, Path> bases = new TreeMap<>();
         Map<String, String> names = new TreeMap<>();
-        try (Stream<Path> paths = Files.walk(folder, DEPTH)) {
-            for (Path path : (Iterable<Path>) paths::iterator) {
-                List<RunView> found = Files.isDirectory(path)
-                        ? RunView.isRun(path) ? List.of(RunView.read(path, now)) : List.of()
-                        : asked(path);
-                for (RunView run : found) {
-                    Path base = run.directory().toAbsolutePath().normalize().getParent();
-                    String key = base + "/" + run.experiment();
-                    bases.put(key, base);
-                    names.put(key, run.experiment());
-                    // What a run's own folder says counts more than that it was asked for.
-                    byExperiment
-                            .computeIfAbsent(key, unused -> new TreeMap<>())
-                            .merge(run.number(), run, ExperimentView::betterKnown);
-                }
+        for (Path path : filesBelow(folder)) {
+            List<RunView> found = Files.isDirectory(path)
+                    ? RunView.isRun(path) ? List.of(RunView.read(path, now)) : List.of()
+                    : asked(path);
+            for (RunView run : found) {
+                Path base = run.directory().toAbsolutePath().normalize().getParent();
+                String key = base + "/" + run.experiment();
+                bases.put(key, base);
+                names.put(key, run.experiment());
+                // What a run's own folder says counts more than that it was asked for.
+                byExperiment
+                        .computeIfAbsent(key, unused -> new TreeMap<>())
+                        .merge(run.number(), run, ExperimentView::betterKnown);
             }
         }
         List<ExperimentView> experiments = new ArrayList<>();
         byExperiment.forEach((key, runs) ->
                 experiments.add(new ExperimentView(names.get(key), bases.get(key), List.copyOf(runs.values()))));
         return experiments;
+    }
+
+    /** The folder and what lies below it, symbolic links followed; what cannot be looked into is left out. */
+    private static List<Path> filesBelow(Path folder) throws IOException {
+        List<Path> found = new ArrayList<>();
+        Files.walkFileTree(folder, Set.of(FileVisitOption.FOLLOW_LINKS), DEPTH, new SimpleFileVisitor<>() {
+            @Override
+            public FileVisitResult preVisitDirectory(Path directory, BasicFileAttributes attributes) {
+                found.add(directory);
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+                found.add(file);
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult visitFileFailed(Path file, IOException failure) {
+                return FileVisitResult.CONTINUE;
+            }
+        });
+        Collections.sort(found);
+        return found;
     }
 
     private static RunView betterKnown(RunView first, RunView second) {

@@ -92,7 +92,7 @@ public final class ParameterReader {
                     ? savedByOriginal(lines)
                     : PublishedConfigurations.read(new StringReader(text));
         } catch (IOException e) {
-            throw new UserError("config=" + name + ": cannot be read: " + e.getMessage(), e);
+            throw new UserError("config=" + name + ": cannot be read: " + FileTrouble.reason(e), e);
         }
         try {
             Parameters.defaults(catalogue).with(layer);

@@ -132,7 +132,7 @@ public record Study(List<Part> parts, List<String> remarks) {
                         .filter(status -> status.isFinished(run.generations()))
                         .isPresent();
             } catch (IOException e) {
-                throw new UserError(run.directory() + ": cannot be read: " + e.getMessage(), e);
+                throw new UserError(run.directory() + ": cannot be read: " + FileTrouble.reason(e), e);
             }
         }
     }

@@ -22,7 +22,7 @@ public enum TaskKind {
      *
      * @throws UserError if they name none
      */
-    static TaskKind of(Parameters parameters) {
+    public static TaskKind of(Parameters parameters) {
         String task = parameters.text("task");
         List<String> published = PublishedConfigurations.tasks();
         if (task.isEmpty()) {

@@ -53,7 +53,7 @@ public final class Tasks {
         try (Reader reader = Files.newBufferedReader(path)) {
             return GhostLocations.read(file, reader);
         } catch (IOException e) {
-            throw new UserError("mazePowerPillGhostMapping=" + file + ": cannot be read: " + e.getMessage(), e);
+            throw new UserError("mazePowerPillGhostMapping=" + file + ": cannot be read: " + FileTrouble.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError("mazePowerPillGhostMapping=" + e.getMessage(), e);
         }

@@ -2,6 +2,8 @@ package mmneat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -61,16 +63,38 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
+    void status_followsSymbolicLinks_evenInCircles() throws IOException {
+        assertThat(evolve("runs=1")).isZero();
+        Path link = Files.createSymbolicLink(folder.resolve("link"), folder.resolve("xor"));
+        Files.createSymbolicLink(folder.resolve("xor").resolve("circle"), folder);
+        assertThat(execute("status", link.toString())).isZero();
+        assertThat(out.toString()).contains("1 of 1 finished");
+    }
+
+    @Test
+    void experimentsOfOtherRunNames_inOneFolder_areTwo() {
+        assertThat(evolve("runs=2")).isZero();
+        assertThat(evolve("runs=1", "saveTo=other-")).isZero();
+        assertThat(out.toString()).contains("XorTask-other: run 0 in").doesNotContain("mmneat.jar watch");
+        assertThat(execute("status", folder.toString())).isZero();
+        assertThat(out.toString()).contains("2 of 2 finished").contains("1 of 1 finished");
+    }
+
+    @Test
     void noWord_showsTheFewCommandsANewcomerNeeds() {
-        assertThat(execute()).isZero();
-        assertThat(out.toString()).contains("task=blended", "status", "params", "--help");
+        for (String[] arguments : new String[][] {{}, {"help"}}) {
+            assertThat(execute(arguments)).isZero();
+            assertThat(out.toString()).contains("task=blended", "status", "params", "--help");
+        }
     }
 
     @Test
     void mistakes_areOneLine_withExitCode2() {
         assertMistake("did you mean 'maxGens'?", "task=blended", "maxGen=3");
         assertMistake("none.txt", "task=isolated", "mazePowerPillGhostMapping=none.txt");
-        assertMistake("'evolve' is not understood", "evolve");
+        assertMistake("'evolve' is no command", "evolve");
+        assertMistake("'evalute' is no command (did you mean 'evaluate'?)", "evalute", "first");
+        assertMistake("must end in .html", "watch", "champion=blended", "out=game.mp4");
     }
 
     @Test

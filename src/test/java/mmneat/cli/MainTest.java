@@ -2,6 +2,10 @@ package mmneat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.InvalidPathException;
+import java.util.concurrent.Callable;
 import mmneat.experiment.UserError;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
@@ -42,6 +46,30 @@ class MainTest extends CommandTest {
     void anyOtherException_isAStackTraceAndExitCodeOne() {
         assertThat(execute(new Failure(), "failure")).isEqualTo(1);
         assertThat(errors.toString()).contains("IllegalStateException: broken").contains("at mmneat.cli.MainTest");
+    }
+
+    @Command(name = "file")
+    static final class FileFailure implements Callable<Integer> {
+        @Override
+        public Integer call() throws IOException {
+            throw new AccessDeniedException("results");
+        }
+    }
+
+    @Command(name = "name")
+    static final class NameFailure implements Runnable {
+        @Override
+        public void run() {
+            throw new InvalidPathException("\u00fc", "Malformed input");
+        }
+    }
+
+    @Test
+    void troubleWithAFile_isOneLineAndExitCodeTwo() {
+        assertThat(execute(new FileFailure(), "file")).isEqualTo(2);
+        assertThat(errors.toString().lines()).containsExactly("mmneat: results: permission denied");
+        assertThat(execute(new NameFailure(), "name")).isEqualTo(2);
+        assertThat(errors.toString().lines()).singleElement().asString().contains("LC_ALL=C.UTF-8");
     }
 
     @Test

@@ -36,7 +36,7 @@ class ReportCommandTest extends CommandTest {
     private static void champion(Path folder, ModuleLayout layout, long seed) throws IOException {
         Files.writeString(
                 folder.resolve("champion.json"),
-                GenotypeJson.write(new InitialNetworks(30, layout).create(1, new ResumableRandom(seed))));
+                GenotypeJson.write(new InitialNetworks(30, layout).create(0, new ResumableRandom(seed))));
     }
 
     @Test

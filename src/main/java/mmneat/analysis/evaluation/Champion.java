@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import mmneat.analysis.results.RunParameters;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeFiles;
@@ -55,7 +56,7 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
         } catch (GenotypeFormatException e) {
             throw new UserError(e.getMessage(), e);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + e.getMessage(), e);
+            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
         }
     }
 
@@ -74,7 +75,7 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
 
     /** A name for headings: the folder and file it was read from. */
     public String name() {
-        Path folder = file.toAbsolutePath().getParent();
+        Path folder = file.toAbsolutePath().normalize().getParent();
         String fileName = file.getFileName().toString();
         return fileName.startsWith("champion.json") || fileName.equals("bestPacMan.xml")
                 ? String.valueOf((fileName.equals("bestPacMan.xml") ? folder.getParent() : folder).getFileName())

@@ -13,10 +13,10 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.stream.Stream;
 import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.EvaluationFiles;
 import mmneat.evolution.DaemonThreads;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
@@ -67,6 +67,7 @@ public final class ChampionEvaluator implements AutoCloseable {
 
     /** A champion that is being evaluated. */
     private final class Job {
+        private final long network;
         private final Path table;
         private final Path summary;
         private final EvaluationFile file;
@@ -74,6 +75,7 @@ public final class ChampionEvaluator implements AutoCloseable {
         private final List<Future<List<GameResult>>> blocks = new ArrayList<>();
 
         Job(Champion champion, MsPacManTaskSettings settings) {
+            network = champion.genotype().id();
             Path folder = champion.file().toAbsolutePath().getParent();
             String prefix = champion.runFolder().isPresent() && isOfRun(champion) ? "" : champion.name() + "-";
             Path place = prefix.isEmpty() ? champion.runFolder().get() : folder;
@@ -97,9 +99,7 @@ public final class ChampionEvaluator implements AutoCloseable {
         }
 
         private String title(Champion champion, MsPacManTaskSettings settings) {
-            int fingerprint = GenotypeJson.write(champion.genotype()).hashCode();
-            return "# evaluation of network " + champion.genotype().id() + " (" + Integer.toHexString(fingerprint)
-                    + "), "
+            return networkTitle(champion) + ", "
                     + settings.version().name().toLowerCase(java.util.Locale.ROOT) + " task, " + rules.label()
                     + " rules, seed " + seed + ghostLocations(settings);
         }
@@ -119,7 +119,7 @@ public final class ChampionEvaluator implements AutoCloseable {
                 file.append(done);
                 results.addAll(done);
             }
-            ChampionEvaluation evaluation = EvaluationSummary.of(rules, results);
+            ChampionEvaluation evaluation = EvaluationSummary.of(network, rules, results);
             try {
                 Path unfinished = summary.resolveSibling(summary.getFileName() + ".new");
                 new ObjectMapper().writerWithDefaultPrettyPrinter().writeValue(unfinished.toFile(), evaluation);
@@ -129,7 +129,7 @@ public final class ChampionEvaluator implements AutoCloseable {
                         java.nio.file.StandardCopyOption.REPLACE_EXISTING,
                         java.nio.file.StandardCopyOption.ATOMIC_MOVE);
             } catch (IOException e) {
-                throw new UserError(summary + ": cannot be written: " + e.getMessage(), e);
+                throw new UserError(summary + ": cannot be written: " + FileTrouble.reason(e), e);
             }
             return evaluation;
         }
@@ -187,23 +187,31 @@ public final class ChampionEvaluator implements AutoCloseable {
         return evaluations;
     }
 
+    /** How the title of a table of games begins. */
+    private static String networkTitle(Champion champion) {
+        int fingerprint = GenotypeJson.write(champion.genotype()).hashCode();
+        return "# evaluation of network " + champion.genotype().id() + " (" + Integer.toHexString(fingerprint) + ")";
+    }
+
     /**
      * The seed of the game of median score in the evaluation of a run's champion; empty if there was none.
      *
      * @throws IOException if its table cannot be read
      */
-    public static Optional<Long> typicalGame(Path runFolder, Rules rules) throws IOException {
+    public static Optional<Long> typicalGame(Champion champion, Path runFolder, Rules rules) throws IOException {
         Path table = runFolder.resolve(EvaluationFiles.games(rules.label()));
         if (!Files.exists(table)) {
             return Optional.empty();
         }
-        List<GameResult> results;
-        try (Stream<String> lines = Files.lines(table)) {
-            results = lines.skip(2)
-                    .map(GameResult::parse)
-                    .sorted(Comparator.comparingDouble(GameResult::score).thenComparingInt(GameResult::number))
-                    .toList();
+        List<String> lines = Files.readAllLines(table);
+        if (lines.isEmpty() || !lines.get(0).startsWith(networkTitle(champion))) {
+            return Optional.empty();
         }
+        List<GameResult> results = lines.stream()
+                .skip(2)
+                .map(GameResult::parse)
+                .sorted(Comparator.comparingDouble(GameResult::score).thenComparingInt(GameResult::number))
+                .toList();
         return results.isEmpty()
                 ? Optional.empty()
                 : Optional.of(results.get(results.size() / 2).seed());

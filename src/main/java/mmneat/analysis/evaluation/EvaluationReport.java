@@ -11,6 +11,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.SampleStatistics;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import mmneat.experiment.files.DoubleText;
 import mmneat.mspacman.DirectionEvaluator;
@@ -66,7 +67,7 @@ public final class EvaluationReport implements EvaluationObserver {
         try {
             Files.writeString(file, of(settings, champion.genotype(), games, Long.parseLong(seed)));
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be written: " + e.getMessage(), e);
+            throw new UserError(file + ": cannot be written: " + FileTrouble.reason(e), e);
         }
         return file;
     }
@@ -80,7 +81,7 @@ public final class EvaluationReport implements EvaluationObserver {
                     .findFirst()
                     .orElse("");
         } catch (IOException e) {
-            throw new UserError(folder + ": cannot be read: " + e.getMessage(), e);
+            throw new UserError(folder + ": cannot be read: " + FileTrouble.reason(e), e);
         }
     }
 

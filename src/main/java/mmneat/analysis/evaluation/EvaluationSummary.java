@@ -16,7 +16,7 @@ final class EvaluationSummary {
     private EvaluationSummary() {}
 
     /** The interval is Student's: the mean of many games is nearly normal, whatever their scores are. */
-    static ChampionEvaluation of(Rules rules, List<GameResult> games) {
+    static ChampionEvaluation of(long network, Rules rules, List<GameResult> games) {
         SummaryStatistics scores = new SummaryStatistics();
         long[] deaths = new long[MAZES];
         List<long[]> use = new ArrayList<>();
@@ -43,6 +43,7 @@ final class EvaluationSummary {
                         * scores.getStandardDeviation()
                         / Math.sqrt(games.size());
         return new ChampionEvaluation(
+                network,
                 rules.label(),
                 games.size(),
                 mean,

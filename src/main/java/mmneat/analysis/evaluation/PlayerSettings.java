@@ -26,6 +26,11 @@ public final class PlayerSettings {
         return withRules(task.settings(), rules);
     }
 
+    /** Whether a champion was evolved to play Ms. Pac-Man. */
+    public static boolean isPlayer(Champion champion) {
+        return ChampionTask.of(champion, Optional.empty(), Optional.empty()) instanceof MsPacManTask;
+    }
+
     private static MsPacManTaskSettings withRules(MsPacManTaskSettings settings, Rules rules) {
         return new MsPacManTaskSettings(
                 settings.version(),

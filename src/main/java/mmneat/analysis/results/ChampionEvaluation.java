@@ -7,6 +7,7 @@ import java.util.List;
 /**
  * What many games of a champion said of it; the summary that {@code evaluate} leaves in the run's folder.
  *
+ * @param network id of the champion
  * @param rules the rules that were played by: training, FourMaze or MPMvsG
  * @param games number of games (trials)
  * @param meanScore average game score
@@ -17,6 +18,7 @@ import java.util.List;
  * @param deathsByMaze games that ended by being caught in maze 0, 1, 2, 3
  */
 public record ChampionEvaluation(
+        long network,
         String rules,
         int games,
         double meanScore,

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 
 /** The saved parameters of a run: ours, or the original's, whose lines {@code name:value} are properties as well. */
@@ -45,7 +46,7 @@ public final class RunParameters {
                     .with(JavaPropsSchema.emptySchema().withoutPathSeparator())
                     .readValue(reader);
         } catch (IOException e) {
-            throw new UserError(file.get() + ": cannot be read: " + e.getMessage(), e);
+            throw new UserError(file.get() + ": cannot be read: " + FileTrouble.reason(e), e);
         }
     }
 }

@@ -1,5 +1,6 @@
 package mmneat.analysis.results;
 
+import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -9,7 +10,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 
 /**
@@ -73,7 +76,7 @@ final class RunReader {
         try {
             return Files.readAllLines(file, StandardCharsets.UTF_8);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + e.getMessage(), e);
+            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
         }
     }
 
@@ -90,16 +93,26 @@ final class RunReader {
         if (!Files.exists(file)) {
             return Optional.empty();
         }
+        ObjectMapper mapper = new ObjectMapper();
         try {
-            return Optional.of(new ObjectMapper().readValue(file.toFile(), ChampionEvaluation.class));
+            ChampionEvaluation evaluation = mapper.readValue(file.toFile(), ChampionEvaluation.class);
+            Path champion = folder.resolve("champion.json");
+            // A run that went on has another champion, of which this says nothing.
+            return Files.exists(champion)
+                            && mapper.readTree(champion.toFile()).path("id").asLong() != evaluation.network()
+                    ? Optional.empty()
+                    : Optional.of(evaluation);
+        } catch (JacksonException e) {
+            throw new UserError(file + ": is damaged; remove it and run evaluate again", e);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + e.getMessage() + "; run evaluate again", e);
+            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
         }
     }
 
+    /** The file of a run with this ending; those of {@code process}, over all runs, have no number before it. */
     private static Optional<Path> file(Path folder, String ending) {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.getFileName().toString().endsWith(ending))
+            return files.filter(file -> file.getFileName().toString().matches(".*\\d" + Pattern.quote(ending)))
                     .sorted()
                     .findFirst();
         } catch (IOException e) {

@@ -52,6 +52,25 @@ class ExperimentFinderTest {
     }
 
     @Test
+    void averagesOverAllRuns_makeNoRunOfTheFolder() throws IOException {
+        RunFixture.run(base, "blended", "2M", 0, 1);
+        Files.writeString(base.resolve("blended/blended-2MAVG_parents_log.txt"), "0\t1\n");
+        assertThat(ExperimentFinder.find(List.of(base.resolve("blended"))))
+                .extracting(Experiment::label)
+                .containsExactly("2M");
+    }
+
+    @Test
+    void evaluationOfAnEarlierChampion_isNone() throws IOException {
+        Path run = RunFixture.run(base, "blended", "2M", 0, 1);
+        RunFixture.evaluation(run, 4000, 1, 2);
+        Files.writeString(run.resolve("champion.json"), "{\"id\" : 0}");
+        assertThat(RunReader.read(run).evaluation()).isPresent();
+        Files.writeString(run.resolve("champion.json"), "{\"id\" : 7}");
+        assertThat(RunReader.read(run).evaluation()).isEmpty();
+    }
+
+    @Test
     void runMeantTwice_isThereOnce_andHidesNoOther() throws IOException {
         for (int run = 0; run < 3; run++) {
             RunFixture.run(base, "blended", "2M", run, 1);

@@ -41,7 +41,8 @@ public final class RunFixture {
     /** Adds the evaluation of the run's champion. */
     public static void evaluation(Path folder, double score, long... moduleUse) throws IOException {
         ChampionEvaluation evaluation = new ChampionEvaluation(
-                "training", 1000, score, 500, score - 30, score + 30, List.of(moduleUse), new long[] {600, 300, 80, 20
+                0, "training", 1000, score, 500, score - 30, score + 30, List.of(moduleUse), new long[] {
+                    600, 300, 80, 20
                 });
         new ObjectMapper()
                 .writeValue(folder.resolve(EvaluationFiles.summary("training")).toFile(), evaluation);
