@@ -6,8 +6,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -104,7 +106,11 @@ final class EvaluateCommand extends WordCommand implements Runnable {
                         .forEach(run -> champions.add(Champion.read(run.folder())));
             }
         }
-        return champions;
+        // Who is named twice, as a folder and as a file for example, plays once.
+        Map<Path, Champion> byFile = new LinkedHashMap<>();
+        champions.forEach(
+                champion -> byFile.putIfAbsent(champion.file().toAbsolutePath().normalize(), champion));
+        return List.copyOf(byFile.values());
     }
 
     private void report(List<ChampionEvaluator.Entry> entries, int games) {

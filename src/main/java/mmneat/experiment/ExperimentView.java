@@ -1,5 +1,6 @@
 package mmneat.experiment;
 
+import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.core.type.TypeReference;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
@@ -147,8 +148,13 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
             return List.of();
         }
         String name = fileName.substring(0, fileName.length() - ASKED.length());
-        Map<String, Object> content =
-                JsonMapper.builder().build().readValue(file.toFile(), new TypeReference<Map<String, Object>>() {});
+        Map<String, Object> content;
+        try {
+            content = JsonMapper.builder().build().readValue(file.toFile(), new TypeReference<>() {});
+        } catch (JacksonException e) {
+            throw new UserError(
+                    file + ": is damaged; remove it, it only says which runs were asked for and is made again", e);
+        }
         List<RunView> waiting = new ArrayList<>();
         for (Object number : (List<?>) content.getOrDefault("runs", List.of())) {
             int run = ((Number) number).intValue();

@@ -72,6 +72,13 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
+    void damagedListOfRuns_isAMistake_thatSaysWhatToDo() throws IOException {
+        assertThat(evolve("runs=1")).isZero();
+        Files.writeString(folder.resolve("xor/XorTask-1M.runs.json"), "{\"saveTo");
+        assertMistake("is damaged; remove it", "status", folder.toString());
+    }
+
+    @Test
     void experimentsOfOtherRunNames_inOneFolder_areTwo() {
         assertThat(evolve("runs=2")).isZero();
         assertThat(evolve("runs=1", "saveTo=other-")).isZero();
