@@ -27,9 +27,17 @@ final class ChampionWords {
     }
 
     static MsPacManTaskSettings settings(Words words, Champion champion, Rules rules) {
-        Optional<String> task = words.has(TASK.name())
+        return PlayerSettings.of(champion, task(words), rules, words.path(GHOSTS.name()));
+    }
+
+    /** The same; empty if the champion was evolved for another task than Ms. Pac-Man. */
+    static Optional<MsPacManTaskSettings> findSettings(Words words, Champion champion, Rules rules) {
+        return PlayerSettings.find(champion, task(words), rules, words.path(GHOSTS.name()));
+    }
+
+    private static Optional<String> task(Words words) {
+        return words.has(TASK.name())
                 ? Optional.of(words.choice(TASK.name(), "", PublishedConfigurations.tasks()))
                 : Optional.empty();
-        return PlayerSettings.of(champion, task, rules, words.path(GHOSTS.name()));
     }
 }

@@ -1,12 +1,12 @@
 package mmneat.cli;
 
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import mmneat.experiment.FileTrouble;
 import mmneat.experiment.NearestName;
@@ -93,34 +93,32 @@ public final class Main implements Callable<Integer> {
 
     private static int report(Exception failure, CommandLine line) {
         PrintWriter errors = line.getErr();
-        if (failure instanceof UserError) {
-            errors.println("mmneat: " + failure.getMessage());
-            errors.flush();
-            return ExitCode.USAGE;
+        Optional<String> mistake = mistake(failure);
+        if (mistake.isPresent()) {
+            errors.println("mmneat: " + mistake.get());
+        } else {
+            failure.printStackTrace(errors);
         }
-        IOException fileFailure = fileFailure(failure);
-        if (fileFailure != null) {
-            errors.println("mmneat: " + FileTrouble.sentence(fileFailure));
-            errors.flush();
-            return ExitCode.USAGE;
-        }
-        if (failure instanceof InvalidPathException name) {
-            errors.println("mmneat: '" + name.getInput() + "' cannot be the name of a file here (" + name.getReason()
-                    + "); if it has letters beyond ASCII, set LC_ALL=C.UTF-8");
-            errors.flush();
-            return ExitCode.USAGE;
-        }
-        failure.printStackTrace(errors);
         errors.flush();
-        return ExitCode.SOFTWARE;
+        return mistake.isPresent() ? ExitCode.USAGE : ExitCode.SOFTWARE;
     }
 
-    /** The trouble with a file that nobody has put into words before; null if it is something else. */
-    private static IOException fileFailure(Exception failure) {
-        if (failure instanceof UncheckedIOException unchecked) {
-            return unchecked.getCause();
+    /** The one line for what is no failure of ours, files that nobody has named before included. */
+    private static Optional<String> mistake(Exception failure) {
+        if (failure instanceof UserError) {
+            return Optional.of(failure.getMessage());
         }
-        return failure instanceof FileSystemException file ? file : null;
+        if (failure instanceof UncheckedIOException unchecked) {
+            return Optional.of(FileTrouble.sentence(unchecked.getCause()));
+        }
+        if (failure instanceof FileSystemException file) {
+            return Optional.of(FileTrouble.sentence(file));
+        }
+        if (failure instanceof InvalidPathException name) {
+            return Optional.of("'" + name.getInput() + "' cannot be the name of a file here (" + name.getReason()
+                    + "); if it has letters beyond ASCII, set LC_ALL=C.UTF-8");
+        }
+        return Optional.empty();
     }
 
     private static int report(ParameterException mistake) {

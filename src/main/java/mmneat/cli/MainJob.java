@@ -14,7 +14,6 @@ import mmneat.experiment.ParameterReader;
 import mmneat.experiment.RunMonitor;
 import mmneat.experiment.RunOutcome;
 import mmneat.experiment.TaskKind;
-import mmneat.experiment.UserError;
 import mmneat.experiment.cluster.ShellWord;
 import picocli.CommandLine.ExitCode;
 
@@ -55,15 +54,14 @@ final class MainJob implements Callable<Integer> {
         Thread interruption = new Thread(() -> halt(experiment, progress), "interruption");
         Runtime.getRuntime().addShutdownHook(interruption);
         List<RunOutcome> outcomes;
+        boolean goesOn;
         try {
             outcomes = experiment.run();
-        } catch (UserError mistake) {
-            removeHook(interruption);
-            throw mistake;
         } finally {
             progress.close();
+            goesOn = removeHook(interruption);
         }
-        if (!removeHook(interruption)) {
+        if (!goesOn) {
             interruption.join();
             return ExitCode.SOFTWARE;
         }

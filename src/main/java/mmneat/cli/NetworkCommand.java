@@ -63,10 +63,8 @@ final class NetworkCommand extends WordCommand implements Runnable {
         Words parsed = words(1);
         Champion champion = ChosenChampion.of(parsed, null);
         Optional<Path> out = parsed.path("out");
-        String format = parsed.choice("format", "", FORMATS);
-        if (format.isEmpty()) {
-            format = out.isPresent() ? formatOf(out.get()) : "svg";
-        }
+        String format =
+                parsed.has("format") || out.isEmpty() ? parsed.choice("format", "svg", FORMATS) : formatOf(out.get());
         String text = convert(champion.genotype(), format, labels(parsed, champion, format));
         if (out.isPresent()) {
             OutputFile.write(out.get(), text);

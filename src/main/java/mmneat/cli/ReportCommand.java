@@ -7,10 +7,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import mmneat.analysis.ExperimentComparison;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.ChampionEvaluator;
-import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.figures.Figure;
 import mmneat.analysis.replay.GameRecording;
@@ -21,6 +21,7 @@ import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.results.RunResult;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import picocli.CommandLine.Command;
@@ -108,9 +109,11 @@ final class ReportCommand extends WordCommand implements Runnable {
                         default -> List.of();
                     };
             for (RunResult run : runs) {
-                if (Champion.isIn(run.folder()) && PlayerSettings.isPlayer(Champion.read(run.folder()))) {
+                Optional<String> replay =
+                        Champion.isIn(run.folder()) ? replay(words, experiment, run) : Optional.empty();
+                if (replay.isPresent()) {
                     String name = (experiment.label() + "-" + run.number()).replaceAll("[^A-Za-z0-9]+", "-") + ".html";
-                    OutputFile.write(out.resolveSibling(folder).resolve(name), replay(words, experiment, run));
+                    OutputFile.write(out.resolveSibling(folder).resolve(name), replay.get());
                     links.put(run.folder(), folder + "/" + name);
                 }
             }
@@ -118,16 +121,24 @@ final class ReportCommand extends WordCommand implements Runnable {
         return links;
     }
 
-    /** A typical game: that of median score in the champion's evaluation, or else game 0. */
-    private static String replay(Words words, Experiment experiment, RunResult run) {
+    /**
+     * A typical game: that of median score in the champion's evaluation, or else game 0; none if the champion was evolved for
+     * another task.
+     */
+    private static Optional<String> replay(Words words, Experiment experiment, RunResult run) {
         Champion champion = Champion.read(run.folder());
-        MsPacManTaskSettings settings = ChampionWords.settings(words, champion, Rules.TRAINING);
+        return ChampionWords.findSettings(words, champion, Rules.TRAINING)
+                .map(settings -> replay(champion, settings, experiment, run));
+    }
+
+    private static String replay(
+            Champion champion, MsPacManTaskSettings settings, Experiment experiment, RunResult run) {
         long seed;
         try {
             seed = ChampionEvaluator.typicalGame(champion, run.folder(), Rules.TRAINING)
                     .orElse(0L);
         } catch (IOException e) {
-            throw new UserError(run.folder() + ": " + e.getMessage(), e);
+            throw new UserError(run.folder() + ": " + FileTrouble.reason(e), e);
         }
         ReplayTitle title = new ReplayTitle(
                 (experiment.version() + " " + experiment.method() + ", run " + run.number()).strip(),

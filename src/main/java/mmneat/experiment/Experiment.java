@@ -68,7 +68,7 @@ public final class Experiment {
             }
             GhostLocationsCopy.requireSame(run);
         } catch (IOException e) {
-            throw new UserError(run.directory() + ": cannot be read: " + e.getMessage(), e);
+            throw new UserError(run.directory() + ": cannot be read: " + FileTrouble.reason(e), e);
         }
     }
 
@@ -123,7 +123,7 @@ public final class Experiment {
         try {
             ExperimentView.recordAsked(plan);
         } catch (IOException e) {
-            throw new UserError(plan.base() + ": cannot be written to: " + e.getMessage(), e);
+            throw new UserError(plan.base() + ": cannot be written to: " + FileTrouble.reason(e), e);
         }
     }
 

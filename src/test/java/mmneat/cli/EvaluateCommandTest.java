@@ -3,13 +3,9 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.analysis.results.RunFixture;
-import mmneat.neat.InitialNetworks;
 import mmneat.neat.ModuleLayout;
-import mmneat.neat.io.GenotypeJson;
-import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,11 +17,7 @@ class EvaluateCommandTest extends CommandTest {
     @Test
     void championNamedTwice_playsOnce() throws IOException {
         Path run = RunFixture.run(base, "blended", "2M", 0, 1000, 2000);
-        Path champion = run.resolve("champion.json");
-        Files.writeString(
-                champion,
-                GenotypeJson.write(new InitialNetworks(30, ModuleLayout.withPreferenceNeurons(2, 1))
-                        .create(0, new ResumableRandom(1))));
+        Path champion = RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);
         int code = execute("evaluate", run.toString(), champion.toString(), "games=3");
         assertThat(errors.toString()).isEmpty();
         assertThat(code).isZero();

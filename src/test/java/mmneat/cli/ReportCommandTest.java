@@ -7,10 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.analysis.HeadlessChromium;
 import mmneat.analysis.results.RunFixture;
-import mmneat.neat.InitialNetworks;
 import mmneat.neat.ModuleLayout;
-import mmneat.neat.io.GenotypeJson;
-import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,15 +25,9 @@ class ReportCommandTest extends CommandTest {
             Path two = RunFixture.run(base, "blended", "2M", run, 1500, 4000 + run);
             RunFixture.evaluation(one, 1800 + run, 10);
             RunFixture.evaluation(two, 3500 + run, 90, 10);
-            champion(one, ModuleLayout.single(1), run);
-            champion(two, ModuleLayout.withPreferenceNeurons(2, 1), run);
+            RunFixture.champion(one, ModuleLayout.single(1), run);
+            RunFixture.champion(two, ModuleLayout.withPreferenceNeurons(2, 1), run);
         }
-    }
-
-    private static void champion(Path folder, ModuleLayout layout, long seed) throws IOException {
-        Files.writeString(
-                folder.resolve("champion.json"),
-                GenotypeJson.write(new InitialNetworks(30, layout).create(0, new ResumableRandom(seed))));
     }
 
     @Test

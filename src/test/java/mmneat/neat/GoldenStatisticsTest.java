@@ -402,9 +402,8 @@ class GoldenStatisticsTest {
                 .filter(count -> count > 0)
                 .forEach(count -> fractions.addValue(count / (double) TRIALS));
         assertThat(fractions.getN()).isGreaterThanOrEqualTo(60);
-        double spread =
-                theirs.required("fraction_swapped_per_link").required("sd").doubleValue();
         JsonNode fractionOfTheirs = theirs.required("fraction_swapped_per_link");
+        double spread = fractionOfTheirs.required("sd").doubleValue();
         double mean = fractionOfTheirs.required("mean").doubleValue();
         double standardError =
                 spread * Math.sqrt(1 / fractionOfTheirs.required("n").doubleValue() + 1.0 / fractions.getN());

@@ -10,18 +10,23 @@ import org.junit.jupiter.api.Test;
 class VariationOptionsTest {
 
     private static final int INPUTS = 7;
-    private static final MutationRates NO_CHANGE = new MutationRates(
-            0,
-            0,
-            0,
-            0,
-            MutationRates.ModuleRates.NONE,
-            MutationRates.DeletionRates.NONE,
-            MutationRates.FreezingRates.NONE);
+    private static final MutationRates NO_CHANGE = withOneWeight(0);
 
     private final ResumableRandom random = new ResumableRandom(11);
     private final Genotype network =
             new InitialNetworks(INPUTS, ModuleLayout.withPreferenceNeurons(2, 1)).create(0, random);
+
+    /** Rates that are all 0 but the one of changing a single weight. */
+    private static MutationRates withOneWeight(double rate) {
+        return new MutationRates(
+                0,
+                0,
+                0,
+                rate,
+                MutationRates.ModuleRates.NONE,
+                MutationRates.DeletionRates.NONE,
+                MutationRates.FreezingRates.NONE);
+    }
 
     private static VariationSettings settings(MutationRates rates, InputSelection selection) {
         return new VariationSettings(rates, ModuleGate.PUBLISHED, 0, false, selection, ActivationFunction.TANH);
@@ -91,17 +96,9 @@ class VariationOptionsTest {
 
     @Test
     void withoutRatePerLink_oneWeightChanges() {
-        MutationRates oneWeight = new MutationRates(
-                0,
-                0,
-                0,
-                1,
-                MutationRates.ModuleRates.NONE,
-                MutationRates.DeletionRates.NONE,
-                MutationRates.FreezingRates.NONE);
         GenotypeDraft draft = GenotypeDraft.of(network.withModuleUsage(new int[] {0, 100}));
 
-        List<String> performed = new OffspringMutation(settings(oneWeight, InputSelection.ALL))
+        List<String> performed = new OffspringMutation(settings(withOneWeight(1), InputSelection.ALL))
                 .apply(draft, GenePool.foundedOn(network), random);
 
         assertThat(performed).hasSize(1);

@@ -9,6 +9,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
+import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 
 /**
@@ -85,6 +86,6 @@ final class EvaluationFile {
     }
 
     private UserError failure(IOException e) {
-        return new UserError(file + ": cannot be written or read: " + e.getMessage(), e);
+        return new UserError(file + ": cannot be written or read: " + FileTrouble.reason(e), e);
     }
 }

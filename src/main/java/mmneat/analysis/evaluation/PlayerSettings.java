@@ -20,15 +20,16 @@ public final class PlayerSettings {
      */
     public static MsPacManTaskSettings of(
             Champion champion, Optional<String> version, Rules rules, Optional<Path> ghostLocations) {
-        if (!(ChampionTask.of(champion, version, ghostLocations) instanceof MsPacManTask task)) {
-            throw new UserError(champion.file() + ": was not evolved to play Ms. Pac-Man");
-        }
-        return withRules(task.settings(), rules);
+        return find(champion, version, rules, ghostLocations)
+                .orElseThrow(() -> new UserError(champion.file() + ": was not evolved to play Ms. Pac-Man"));
     }
 
-    /** Whether a champion was evolved to play Ms. Pac-Man. */
-    public static boolean isPlayer(Champion champion) {
-        return ChampionTask.of(champion, Optional.empty(), Optional.empty()) instanceof MsPacManTask;
+    /** The same; empty if the champion was evolved for another task than Ms. Pac-Man. */
+    public static Optional<MsPacManTaskSettings> find(
+            Champion champion, Optional<String> version, Rules rules, Optional<Path> ghostLocations) {
+        return ChampionTask.of(champion, version, ghostLocations) instanceof MsPacManTask task
+                ? Optional.of(withRules(task.settings(), rules))
+                : Optional.empty();
     }
 
     private static MsPacManTaskSettings withRules(MsPacManTaskSettings settings, Rules rules) {

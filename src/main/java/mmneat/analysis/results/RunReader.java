@@ -1,6 +1,7 @@
 package mmneat.analysis.results;
 
 import com.fasterxml.jackson.core.JacksonException;
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -93,17 +94,19 @@ final class RunReader {
         if (!Files.exists(file)) {
             return Optional.empty();
         }
-        ObjectMapper mapper = new ObjectMapper();
+        ChampionEvaluation evaluation = json(file, ChampionEvaluation.class, "; remove it and run evaluate again");
+        Path champion = folder.resolve("champion.json");
+        // A run that went on has another champion, of which this says nothing.
+        boolean isOfAnother = Files.exists(champion)
+                && json(champion, JsonNode.class, "").path("id").asLong() != evaluation.network();
+        return isOfAnother ? Optional.empty() : Optional.of(evaluation);
+    }
+
+    private static <T> T json(Path file, Class<T> type, String remedy) {
         try {
-            ChampionEvaluation evaluation = mapper.readValue(file.toFile(), ChampionEvaluation.class);
-            Path champion = folder.resolve("champion.json");
-            // A run that went on has another champion, of which this says nothing.
-            return Files.exists(champion)
-                            && mapper.readTree(champion.toFile()).path("id").asLong() != evaluation.network()
-                    ? Optional.empty()
-                    : Optional.of(evaluation);
+            return new ObjectMapper().readValue(file.toFile(), type);
         } catch (JacksonException e) {
-            throw new UserError(file + ": is damaged; remove it and run evaluate again", e);
+            throw new UserError(file + ": is damaged" + remedy, e);
         } catch (IOException e) {
             throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
         }

@@ -80,15 +80,13 @@ public final class GenotypeJson {
             requireThisVersion(json);
             GenotypeDocument document = READER.readValue(json);
             if (document == null) {
-                throw new GenotypeFormatException("the JSON document is empty");
+                throw new IllegalArgumentException("the JSON document is empty");
             }
             return document.toGenotype();
         } catch (JacksonException e) {
             throw new GenotypeFormatException(messageOf(e), e);
         } catch (IllegalArgumentException e) {
             throw new GenotypeFormatException(e.getMessage(), e);
-        } catch (GenotypeFormatException e) {
-            throw e;
         } catch (IOException e) {
             throw new UncheckedIOException("a text in memory cannot be read", e);
         }
@@ -106,7 +104,7 @@ public final class GenotypeJson {
      * Looks at format and version before anything else: what they mean decides whether the other fields mean anything. A text
      * that is no object with these two says so itself when it is read.
      */
-    private static void requireThisVersion(String json) throws IOException, GenotypeFormatException {
+    private static void requireThisVersion(String json) throws IOException {
         try (JsonParser parser = MAPPER.createParser(json)) {
             boolean isFormatKnown = false;
             boolean isVersionKnown = false;
@@ -127,7 +125,7 @@ public final class GenotypeJson {
                 }
             }
             if (parser.currentToken() == JsonToken.END_OBJECT && !isFormatKnown) {
-                throw new GenotypeFormatException("format: is missing; a genotype has \"format\" : \""
+                throw new IllegalArgumentException("format: is missing; a genotype has \"format\" : \""
                         + GenotypeDocument.FORMAT + "\" and \"version\" : " + GenotypeDocument.VERSION);
             }
         }

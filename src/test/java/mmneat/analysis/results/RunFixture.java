@@ -5,6 +5,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import mmneat.neat.Genotype;
+import mmneat.neat.InitialNetworks;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.io.GenotypeJson;
+import mmneat.random.ResumableRandom;
 
 /** Writes folders of runs as a finished experiment leaves them, with made-up scores. */
 public final class RunFixture {
@@ -36,6 +41,12 @@ public final class RunFixture {
                 "task=" + version + "\nrunNumber=" + number + "\nmu=100\nmaxGens=" + (scores.length - 1)
                         + "\ntrials=10\n" + modules + "\n");
         return folder;
+    }
+
+    /** Adds a champion of 30 inputs, as new networks are: number 0, the one that {@link #evaluation} tells of. */
+    public static Path champion(Path folder, ModuleLayout layout, long seed) throws IOException {
+        Genotype champion = new InitialNetworks(30, layout).create(0, new ResumableRandom(seed));
+        return Files.writeString(folder.resolve("champion.json"), GenotypeJson.write(champion));
     }
 
     /** Adds the evaluation of the run's champion. */
