@@ -8,8 +8,8 @@ import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ModuleDivisions;
+import mmneat.mspacman.sensors.Sensor;
 import mmneat.mspacman.sensors.SensorSettings;
-import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.network.ModuleArbitration;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.examples.AggressiveGhosts;
@@ -66,6 +66,7 @@ record GameParameters(
         int smallStepSimDepth,
         boolean highLevel,
         String ownSensors,
+        String jar,
         boolean softmaxModeSelection,
         double softmaxTemperature,
         int disabledMode,
@@ -143,7 +144,7 @@ record GameParameters(
     }
 
     private SensorSettings sensors(TaskVersion version) {
-        SensorSettings settings = new SensorSettings(
+        return new SensorSettings(
                 junctionsToSense,
                 incoming,
                 trapped,
@@ -156,19 +157,15 @@ record GameParameters(
                 edibleTime,
                 CLOSE_TO_POWER_PILL,
                 highLevel,
-                ownSensorClasses());
-        try {
-            SensorSuite.of(settings);
-        } catch (IllegalArgumentException e) {
-            throw new UserError("ownSensors=" + ownSensors + ": " + e.getMessage(), e);
-        }
-        return settings;
+                sensorsOfOnesOwn());
     }
 
-    private List<String> ownSensorClasses() {
+    private List<Sensor> sensorsOfOnesOwn() {
+        OwnClasses classes = new OwnClasses(jar);
         return Stream.of(ownSensors.split(","))
                 .map(String::strip)
                 .filter(name -> !name.isEmpty())
+                .map(name -> classes.make("ownSensors", name, Sensor.class))
                 .toList();
     }
 

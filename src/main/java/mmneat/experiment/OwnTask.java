@@ -1,13 +1,7 @@
 package mmneat.experiment;
 
-import java.io.File;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
-import java.net.MalformedURLException;
-import java.net.URL;
-import java.net.URLClassLoader;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Map;
 import java.util.function.Supplier;
 import mmneat.evolution.Task;
@@ -33,42 +27,10 @@ final class OwnTask {
      * @throws UserError if there is no such task
      */
     static Supplier<Task> factory(String className, String jar, Map<String, String> parameters) {
-        Class<? extends Task> type = load(className, jar);
+        Class<? extends Task> type = new OwnClasses(jar).find("task", className, Task.class);
         Supplier<Task> factory = () -> instance(type, parameters);
         factory.get();
         return factory;
-    }
-
-    private static Class<? extends Task> load(String className, String jar) {
-        ClassLoader loader = OwnTask.class.getClassLoader();
-        if (!jar.isEmpty()) {
-            Path file = Path.of(jar);
-            if (!Files.isReadable(file)) {
-                throw new UserError("jar=" + jar + ": there is no such file that can be read");
-            }
-            // Stays open as long as the program runs: the task may load its classes at any time.
-            loader = new URLClassLoader(new URL[] {url(file.toFile())}, loader);
-        }
-        try {
-            return Class.forName(className, true, loader).asSubclass(Task.class);
-        } catch (ClassNotFoundException e) {
-            throw new UserError(
-                    "task=" + className + ": there is no such class"
-                            + (jar.isEmpty() ? "; name its jar with jar=FILE" : " in " + jar),
-                    e);
-        } catch (ClassCastException e) {
-            throw new UserError("task=" + className + ": the class must implement " + Task.class.getName(), e);
-        } catch (LinkageError e) {
-            throw new UserError("task=" + className + ": the class cannot be loaded: " + e, e);
-        }
-    }
-
-    private static URL url(File file) {
-        try {
-            return file.toURI().toURL();
-        } catch (MalformedURLException e) {
-            throw new UserError("jar=" + file + ": not the name of a file", e);
-        }
     }
 
     private static Task instance(Class<? extends Task> type, Map<String, String> parameters) {

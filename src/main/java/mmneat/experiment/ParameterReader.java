@@ -2,6 +2,8 @@ package mmneat.experiment;
 
 import java.io.IOException;
 import java.io.StringReader;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 
 /**
  * Reads what somebody asks for: built-in defaults, over them what the paper sets for the task and method, over them the
@@ -53,6 +56,11 @@ public final class ParameterReader {
                     + parameters.ofOwnTask().keySet().iterator().next() + "': names with '" + OwnTask.PREFIX
                     + "' are for a task of your own");
         }
+        if (kind != TaskKind.ISOLATED
+                && !parameters.text(GhostLocationsCopy.PARAMETER).isEmpty()) {
+            remarks.add(GhostLocationsCopy.PARAMETER
+                    + " has no effect: only the isolated task has recorded ghost locations");
+        }
         parameters.as(EvolutionParameters.class).requireConsistent();
         return new Result(parameters, List.copyOf(remarks));
     }
@@ -83,7 +91,7 @@ public final class ParameterReader {
     private Map<String, String> file(String name) {
         Map<String, String> layer;
         try {
-            String text = Files.readString(Path.of(name), StandardCharsets.UTF_8);
+            String text = text(name, Files.readAllBytes(Path.of(name)));
             List<String> lines = text.lines().filter(line -> !line.isBlank()).toList();
             layer = !lines.isEmpty()
                             && lines.stream()
@@ -104,6 +112,20 @@ public final class ParameterReader {
             throw new UserError(name + ": config= is for the command line only");
         }
         return layer;
+    }
+
+    /** What a file says, in UTF-8, with or without the mark that some editors put first. */
+    private static String text(String file, byte[] bytes) {
+        ByteBuffer read = ByteBuffer.wrap(bytes);
+        CharBuffer text = CharBuffer.allocate(bytes.length);
+        if (StandardCharsets.UTF_8.newDecoder().decode(read, text, true).isError()) {
+            long line = 1
+                    + IntStream.range(0, read.position())
+                            .filter(i -> bytes[i] == '\n')
+                            .count();
+            throw new UserError("config=" + file + ", line " + line + ": is not UTF-8; save the file in UTF-8");
+        }
+        return text.flip().toString().replaceFirst("^\uFEFF", "");
     }
 
     /** A file that is meant to stand beside the parameter file, as in a run's folder; otherwise the name as it is. */

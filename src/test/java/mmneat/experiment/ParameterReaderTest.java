@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -57,8 +58,8 @@ class ParameterReaderTest {
 
     @Test
     void badValue_namesParameterValueAndWhatIsAllowed() {
-        assertMistake("mu=many: must be a whole number, at least 1", "task=blended", "mu=many");
-        assertMistake("mu=0: must be a whole number, at least 1", "task=blended", "mu=0");
+        assertMistake("mu=many: must be a whole number from 1 to 100000", "task=blended", "mu=many");
+        assertMistake("mu=0: must be a whole number from 1 to 100000", "task=blended", "mu=0");
         assertMistake("crossoverRate=1.5: must be a number from 0.0 to 1.0", "task=blended", "crossoverRate=1.5");
         assertMistake("crossoverRate=NaN: must be", "task=blended", "crossoverRate=NaN");
         assertMistake("mating=yes: must be true or false", "task=blended", "mating=yes");
@@ -78,6 +79,26 @@ class ParameterReaderTest {
         Files.writeString(config, "task=blended\nmu=-1\n");
         assertMistake("mine.properties: mu=-1: must be", "config=" + config);
         assertMistake("cannot be read", "config=" + folder.resolve("none"));
+    }
+
+    @Test
+    void fileInAnotherEncoding_saysWhichLine(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "task=blended\nmu=3\n# für uns\n", StandardCharsets.ISO_8859_1);
+        assertMistake("mine.properties, line 3: is not UTF-8", "config=" + config);
+        Files.writeString(config, "\uFEFFtask=blended\nmu=3\n# für uns\n");
+        assertThat(read("config=" + config).integer("mu")).isEqualTo(3);
+    }
+
+    @Test
+    void ghostLocations_ofAnotherTaskThanTheIsolated_areRemarkedUpon() {
+        List<String> words = List.of("task=blended", "mazePowerPillGhostMapping=mine.txt");
+        assertThat(reader.read(words).remarks())
+                .singleElement()
+                .asString()
+                .startsWith("mazePowerPillGhostMapping has no effect");
+        assertThat(reader.read(List.of("task=isolated", words.get(1))).remarks())
+                .isEmpty();
     }
 
     @Test

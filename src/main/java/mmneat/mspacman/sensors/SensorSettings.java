@@ -19,7 +19,7 @@ import java.util.List;
  * @param edibleTime edible time of the first level, by which times are scaled, at least 1
  * @param closePowerPillDistance distance below which a power pill is close
  * @param highLevel whether the options from the next junction are sensed
- * @param own class names of sensors of one's own, which follow the others; see {@link Sensor}
+ * @param own sensors of one's own, which follow the others
  */
 public record SensorSettings(
         int junctionsToSense,
@@ -34,7 +34,7 @@ public record SensorSettings(
         int edibleTime,
         double closePowerPillDistance,
         boolean highLevel,
-        List<String> own) {
+        List<Sensor> own) {
 
     /** Walks get too many beyond this depth. */
     static final int DEEPEST = 60;
