@@ -6,6 +6,7 @@ import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
 import mmneat.experiment.PublishedConfigurations;
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
 
 /** The words that say how a champion plays. */
 final class ChampionWords {
@@ -27,7 +28,12 @@ final class ChampionWords {
     }
 
     static MsPacManTaskSettings settings(Words words, Champion champion, Rules rules) {
-        return PlayerSettings.of(champion, task(words), rules, words.path(GHOSTS.name()));
+        MsPacManTaskSettings settings = PlayerSettings.of(champion, task(words), rules, words.path(GHOSTS.name()));
+        words.requireEffect(
+                GHOSTS.name(),
+                settings.version() == TaskVersion.ISOLATED,
+                "only the isolated version has recorded ghost locations, and " + champion.name() + " plays another");
+        return settings;
     }
 
     /** The same; empty if the champion was evolved for another task than Ms. Pac-Man. */

@@ -54,7 +54,10 @@ final class EvaluateCommand extends WordCommand implements Runnable {
                         "1000",
                         "games per champion (default 1000); where more were played already, all of them count"),
                 ChampionWords.RULES,
-                new Word("seed", "0", "seed of the games' seeds (default 0)"),
+                new Word(
+                        "seed",
+                        "0",
+                        "seed of the games' seeds (default 0); games with another seed replace those that are there"),
                 new Word("threads", "2", "games played at the same time (default: all cores)"),
                 new Word(
                         "report",
@@ -69,11 +72,15 @@ final class EvaluateCommand extends WordCommand implements Runnable {
     public void run() {
         Words words = wordsAboutExperiments();
         Rules rules = ChampionWords.rules(words);
-        int games = words.integer("games", 1000, 1, Integer.MAX_VALUE);
+        int games = words.integer("games", 1000, 1, 1_000_000);
         List<ChampionEvaluator.Entry> entries = champions(words).stream()
                 .map(champion -> new ChampionEvaluator.Entry(champion, ChampionWords.settings(words, champion, rules)))
                 .toList();
         if (words.flag("report", false)) {
+            for (String name : List.of("seed", "threads")) {
+                words.requireEffect(
+                        name, false, "the games of report=true are drawn one after the other from the run's seed");
+            }
             report(entries, games);
             return;
         }

@@ -50,7 +50,10 @@ final class GameWords {
 
     /** The rules that the words choose; {@code otherwise} is used if there is no rules= among them. */
     static GameRules rules(Words words, GameRules otherwise) {
-        GameRules rules = words.has("rules") ? named(words.choice("rules", DEFAULT_RULES, RULES), words) : otherwise;
+        for (String name : List.of("powerPill", "ghostLocations")) {
+            words.requireEffect(name, name(words).equals(ISOLATED_GHOSTS), "it goes with rules=" + ISOLATED_GHOSTS);
+        }
+        GameRules rules = words.has("rules") ? named(name(words), words) : otherwise;
         return words.has("maze")
                 ? rules.with().mazes(mazes(words.requiredText("maze", "FILE"))).build()
                 : rules;

@@ -1,23 +1,23 @@
 package mmneat.cli;
 
-import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
+import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.evaluation.PlayerSettings;
+import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.evaluation.ShippedChampions;
-import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.NetworkPacMan;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ModuleDivisions;
-import mmneat.neat.Genotype;
-import mmneat.neat.io.GenotypeFiles;
-import mmneat.neat.io.GenotypeFormatException;
 import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 
-/** Ms. Pac-Man's controller from a file with an evolved network, or from a network that comes with the program. */
+/** Ms. Pac-Man's controller with an evolved network: a run's champion, a file, or one that comes with the program. */
 final class NetworkPlayer {
 
     /** A champion that comes with the program is named by this and its version. */
@@ -28,41 +28,57 @@ final class NetworkPlayer {
     /** Whether a name means a network and not a class. */
     static boolean isNetwork(String name) {
         String lower = name.toLowerCase(Locale.ROOT);
-        return lower.startsWith(SHIPPED) || lower.endsWith(".json") || lower.endsWith(".xml");
+        return lower.startsWith(SHIPPED) || lower.endsWith(".json") || lower.endsWith(".xml") || isFolder(name);
     }
 
-    private static Genotype genotype(String name) throws IOException {
+    /** A name without a slash may be a class beside whose package somebody stands. */
+    private static boolean isFolder(String name) {
+        Path folder = Path.of(name);
+        return Files.isDirectory(folder) && (folder.getNameCount() > 1 || Champion.isIn(folder));
+    }
+
+    private static Champion champion(String name) {
         if (!name.toLowerCase(Locale.ROOT).startsWith(SHIPPED)) {
-            return GenotypeFiles.read(Path.of(name));
+            return Champion.read(Path.of(name));
         }
         String version = name.substring(SHIPPED.length());
         if (!ShippedChampions.versions().contains(version)) {
             throw Words.badValue(
                     "pacman", name, SHIPPED + " and one of " + String.join(", ", ShippedChampions.versions()));
         }
-        return ShippedChampions.read(version).genotype();
+        return ShippedChampions.read(version);
     }
 
     /**
-     * Makes controllers with the network of a file, or with one that comes with the program.
+     * Makes controllers with a network. One of a run senses and chooses as the run's parameters say, another as the published
+     * networks with as many inputs.
      *
+     * @param name a run's folder, a file, or {@link #SHIPPED} and a version
      * @param division of a multitask network, if the user says one
-     * @throws UserError if the file holds no network, or one that does not play Ms. Pac-Man
+     * @throws UserError if there is no network, or one that does not play Ms. Pac-Man
      */
-    static Supplier<Controller<MOVE>> read(String file, Optional<String> division, long seed) {
+    static Supplier<Controller<MOVE>> read(String name, Optional<String> division, long seed) {
+        Champion champion = champion(name);
+        if (division.isPresent() && !champion.genotype().layout().standardMultitask()) {
+            throw new UserError("division=" + division.get() + ": the network of " + name
+                    + " chooses its modules itself; only methods MT, MT2 and MT3 have a division");
+        }
         try {
-            Genotype genotype = genotype(file);
-            ModuleDivision ofTask = division.map(ModuleDivisions::named).orElse(null);
-            Supplier<Controller<MOVE>> players = () -> NetworkPacMan.published(genotype, ofTask, seed);
+            ModuleDivision asked = division.map(ModuleDivisions::named).orElse(null);
+            Supplier<Controller<MOVE>> players = players(champion, asked, seed);
             // A network that does not fit is found before the first game.
             players.get();
             return players;
-        } catch (GenotypeFormatException e) {
-            throw new UserError("pacman: " + e.getMessage(), e);
-        } catch (IOException e) {
-            throw new UserError("pacman: cannot read " + file + ": " + FileTrouble.reason(e), e);
         } catch (IllegalArgumentException e) {
-            throw new UserError("pacman=" + file + ": " + e.getMessage(), e);
+            throw new UserError("pacman=" + name + ": " + e.getMessage(), e);
         }
+    }
+
+    private static Supplier<Controller<MOVE>> players(Champion champion, ModuleDivision division, long seed) {
+        if (champion.parametersFile().isEmpty()) {
+            return () -> NetworkPacMan.published(champion.genotype(), division, seed);
+        }
+        MsPacManTaskSettings task = PlayerSettings.of(champion, Optional.empty(), Rules.TRAINING, Optional.empty());
+        return () -> NetworkPacMan.of(task, champion.genotype(), division, seed);
     }
 }

@@ -60,8 +60,9 @@ final class PlayCommand extends WordCommand implements Runnable {
                 new Word(
                         "pacman",
                         "StarterPacMan",
-                        "class of Ms. Pac-Man's controller, a file with an evolved network (champion.json),"
-                                + " champion:blended|interleaved|isolated for one that comes with the program, or "
+                        "class of Ms. Pac-Man's controller, the folder of a run or a file with an evolved network (its"
+                                + " champion.json), champion:blended|interleaved|isolated for one that comes with the"
+                                + " program, or "
                                 + HUMAN
                                 + " with view=true"),
                 new Word(
@@ -136,6 +137,7 @@ final class PlayCommand extends WordCommand implements Runnable {
             if (human && !view) {
                 throw new UserError("pacman=" + player + " needs view=true and a display");
             }
+            words.requireEffect("division", !human && NetworkPlayer.isNetwork(player), "it is for a network");
             if (human) {
                 pacMan = null;
                 pacManName = HUMAN;

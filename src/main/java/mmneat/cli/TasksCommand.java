@@ -66,7 +66,7 @@ final class TasksCommand extends WordCommand implements Runnable {
                 new Word(
                         "players",
                         "NAME,...",
-                        "controllers, files with evolved networks, champion:blended and the like (default: the champion of"
+                        "controllers, folders of runs, files with evolved networks, champion:blended and the like (default: the champion of"
                                 + " the version)"),
                 new Word(
                         "games",
@@ -85,6 +85,10 @@ final class TasksCommand extends WordCommand implements Runnable {
         List<String> versions = words.has("task")
                 ? List.of(words.choice("task", "", PublishedConfigurations.tasks()))
                 : PublishedConfigurations.tasks();
+        words.requireEffect(
+                ChampionWords.GHOSTS.name(),
+                versions.contains("isolated"),
+                "only the isolated version has recorded ghost locations");
         StringBuilder csv = new StringBuilder(
                 "task,predicates,player,game,steps,switches,thrashing_rate,overlapping_steps,score\n");
         for (String version : versions) {
@@ -109,7 +113,10 @@ final class TasksCommand extends WordCommand implements Runnable {
 
     private static MsPacManTaskSettings settings(String version, Words words) {
         List<String> parameters = new ArrayList<>(List.of("task=" + version));
-        words.text("ghosts").ifPresent(file -> parameters.add("mazePowerPillGhostMapping=" + file));
+        if (version.equals("isolated")) {
+            words.text(ChampionWords.GHOSTS.name())
+                    .ifPresent(file -> parameters.add("mazePowerPillGhostMapping=" + file));
+        }
         return ((MsPacManTask) Tasks.factory(new ParameterReader(ParameterCatalogue.load())
                                 .read(parameters)
                                 .parameters())

@@ -67,7 +67,9 @@ final class WatchCommand extends WordCommand implements Runnable {
         if (!name.matches(".*\\.(html?|gif)")) {
             throw new UserError("out=" + out + ": must end in .html (a page) or .gif (an animated picture)");
         }
-        if (words.flag("window", false)) {
+        boolean window = words.flag("window", false);
+        words.requireEffect("delay", window, "pages and pictures have their own speed (delay= goes with window=true)");
+        if (window) {
             showWindow(words, champion, settings, seed);
         } else if (name.endsWith(".gif")) {
             writeGif(out, champion, settings, seed);

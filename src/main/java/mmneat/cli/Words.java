@@ -189,6 +189,18 @@ public final class Words {
         });
     }
 
+    /**
+     * Makes sure that a word is not given where it has no effect.
+     *
+     * @param hasEffect whether it has one
+     * @param reason what it goes with, for the message
+     */
+    public void requireEffect(String name, boolean hasEffect, String reason) {
+        if (has(name) && !hasEffect) {
+            throw new UserError(name + "=" + values.get(name) + " has no effect here: " + reason + "; leave it out");
+        }
+    }
+
     /** The error for a value that does not fit: names the word and says what is allowed. */
     public static UserError badValue(String name, String value, String allowed) {
         return new UserError(name + "=" + value + ": must be " + allowed);

@@ -30,14 +30,32 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
      * A player with a network.
      *
      * @param sensors what it senses: as many as the network has inputs
+     * @param arbitration how it chooses among its modules
      * @param division names the module of each step for a multitask network; null for others
      * @param tieSeed seed of the numbers that break ties
      * @throws IllegalArgumentException if the network does not suit the sensors or the division
      */
-    public NetworkPacMan(Genotype network, SensorSettings sensors, ModuleDivision division, long tieSeed) {
-        player = new DirectionEvaluator(
-                SensorSuite.of(sensors).newSenses(), network, ModuleArbitration.PREFERENCE, division);
+    public NetworkPacMan(
+            Genotype network,
+            SensorSettings sensors,
+            ModuleArbitration arbitration,
+            ModuleDivision division,
+            long tieSeed) {
+        player = new DirectionEvaluator(SensorSuite.of(sensors).newSenses(), network, arbitration, division);
         ties = new ResumableRandom(tieSeed);
+    }
+
+    /**
+     * A player with a network as it senses and chooses in a task. In the isolated version divisions tell one kind of game from
+     * another; full games are then divided as {@link #published} says.
+     *
+     * @param division names the module of each step for a multitask network; if null, that of the task
+     * @throws IllegalArgumentException if the network does not suit the task or the division
+     */
+    public static NetworkPacMan of(MsPacManTaskSettings task, Genotype network, ModuleDivision division, long tieSeed) {
+        ModuleDivision ofTask = task.version() == TaskVersion.ISOLATED ? publishedDivision(network) : task.division();
+        return new NetworkPacMan(
+                network, task.sensors(), task.arbitration(), division == null ? ofTask : division, tieSeed);
     }
 
     /**
@@ -51,6 +69,7 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
         return new NetworkPacMan(
                 network,
                 publishedSensors(network.inputs()),
+                ModuleArbitration.PREFERENCE,
                 division == null ? publishedDivision(network) : division,
                 tieSeed);
     }

@@ -6,6 +6,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.CompiledClasses;
+import mmneat.analysis.evaluation.ShippedChampions;
+import mmneat.neat.InitialNetworks;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.io.GenotypeJson;
+import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -135,6 +140,56 @@ class PlayCommandTest extends CommandTest {
         assertMistake("broken.txt: ", "replay", broken.toString(), "view=false");
         Path maze = Files.writeString(folder.resolve("maze.txt"), "????\n");
         assertMistake("maze.txt", "play", "maze=" + maze);
+    }
+
+    @Test
+    void championOfARun_sensesAsTheRunSays() throws IOException {
+        Path run = Files.createDirectories(folder.resolve("first").resolve("2M0"));
+        Files.writeString(run.resolve("parameters.properties"), "task=blended\nstartingModes=2\nspecific=true\n");
+        ModuleLayout layout = ModuleLayout.withPreferenceNeurons(2, 1);
+        Path network = Files.writeString(
+                run.resolve("champion.json"),
+                GenotypeJson.write(new InitialNetworks(38, layout).create(0, new ResumableRandom(3))));
+        assertThat(execute("play", "pacman=" + run, "games=2")).isZero();
+        assertThat(out.toString()).startsWith(run + " against Legacy, 2 games");
+        String score = scoreLine();
+        assertThat(execute("play", "pacman=" + network, "games=2")).isZero();
+        assertThat(scoreLine()).isEqualTo(score);
+        Path alone = Files.copy(network, folder.resolve("alone.json"));
+        assertMistake("the network has 38 inputs; networks of the published", "play", "pacman=" + alone);
+        assertMistake("there is no champion in this folder", "play", "pacman=" + folder);
+    }
+
+    @Test
+    void publishedChampionOfARun_playsAsItsFileAlone() throws IOException {
+        Path run = Files.createDirectories(folder.resolve("first").resolve("2M0"));
+        Files.writeString(run.resolve("parameters.properties"), "task=blended\nstartingModes=2\n");
+        String champion = GenotypeJson.write(ShippedChampions.read("blended").genotype());
+        Files.writeString(run.resolve("champion.json"), champion);
+        Path alone = Files.writeString(folder.resolve("alone.json"), champion);
+        assertThat(execute("play", "pacman=" + run, "rules=blended")).isZero();
+        String score = scoreLine();
+        assertThat(execute("play", "pacman=" + alone, "rules=blended")).isZero();
+        assertThat(scoreLine()).isEqualTo(score);
+        assertThat(execute("play", "pacman=champion:blended", "rules=blended")).isZero();
+        assertThat(scoreLine()).isEqualTo(score);
+    }
+
+    @Test
+    void wordsWithoutEffect_areRefused() {
+        assertMistake("powerPill=2 has no effect here: it goes with rules=isolatedGhosts", "play", "powerPill=2");
+        assertMistake("ghostLocations=x has no effect here", "play", "rules=blended", "ghostLocations=x");
+        assertMistake("division=AnyPills has no effect here: it is for a network", "play", "division=AnyPills");
+        assertMistake(
+                "division=AnyPills: the network of champion:blended chooses its modules itself",
+                "play",
+                "pacman=champion:blended",
+                "division=AnyPills");
+        assertMistake("delay=9 has no effect here", "watch", "champion=blended", "delay=9");
+        assertMistake(
+                "ghosts=x has no effect here: only the isolated version", "watch", "champion=blended", "ghosts=x");
+        assertMistake("ghosts=x has no effect here", "tasks", "task=blended", "ghosts=x");
+        assertMistake("seed=3 has no effect here", "evaluate", "champion=blended", "report=true", "seed=3");
     }
 
     @Test

@@ -77,6 +77,9 @@ public record TaskDivision(String name, List<TaskPredicate> tasks) {
                 throw new UserError("predicates=" + name + ": '" + part.strip() + "' is not one of "
                         + String.join(", ", KNOWN.keySet()));
             }
+            if (tasks.contains(predicate)) {
+                throw new UserError("predicates=" + name + ": '" + predicate.name() + "' is named twice");
+            }
             tasks.add(predicate);
         }
         return new TaskDivision(name, tasks);

@@ -126,6 +126,9 @@ class TaskMeterTest {
         assertThatThrownBy(() -> TaskDivision.named("threats,edibel"))
                 .isInstanceOf(UserError.class)
                 .hasMessage("predicates=threats,edibel: 'edibel' is not one of threats, edible, pills, noPills");
+        assertThatThrownBy(() -> TaskDivision.named("threats,threats"))
+                .isInstanceOf(UserError.class)
+                .hasMessage("predicates=threats,threats: 'threats' is named twice");
         assertThatThrownBy(() -> TaskDivision.named("nothing"))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("must be two or more of threats, edible, pills, noPills");
