@@ -66,7 +66,7 @@ public final class ChampionEvaluator implements AutoCloseable {
     }
 
     /** A champion that is being evaluated. */
-    private final class Job {
+    private final class Job implements AutoCloseable {
         private final long network;
         private final Path table;
         private final Path summary;
@@ -133,6 +133,11 @@ public final class ChampionEvaluator implements AutoCloseable {
             }
             return evaluation;
         }
+
+        @Override
+        public void close() {
+            file.close();
+        }
     }
 
     private List<GameResult> play(MsPacManTaskSettings settings, Genotype genotype, long[] seeds, int from, int to) {
@@ -175,16 +180,20 @@ public final class ChampionEvaluator implements AutoCloseable {
      * stands alone. What an earlier evaluation with the same seed left is kept.
      *
      * @return one evaluation per entry
+     * @throws UserError if a table or summary cannot be written, or another evaluation writes it just now
      */
     public List<ChampionEvaluation> evaluate(List<Entry> entries) throws InterruptedException {
-        List<Job> jobs = entries.stream()
-                .map(entry -> new Job(entry.champion(), entry.settings()))
-                .toList();
-        List<ChampionEvaluation> evaluations = new ArrayList<>();
-        for (Job job : jobs) {
-            evaluations.add(job.finish());
+        List<Job> jobs = new ArrayList<>();
+        try {
+            entries.forEach(entry -> jobs.add(new Job(entry.champion(), entry.settings())));
+            List<ChampionEvaluation> evaluations = new ArrayList<>();
+            for (Job job : jobs) {
+                evaluations.add(job.finish());
+            }
+            return evaluations;
+        } finally {
+            jobs.forEach(Job::close);
         }
-        return evaluations;
     }
 
     /** How the title of a table of games begins. */

@@ -1,10 +1,12 @@
 package mmneat.analysis.evaluation;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,14 +16,44 @@ import mmneat.experiment.UserError;
 
 /**
  * The CSV of an evaluation: a line per game, in order. Games are appended as they are finished, so an interrupted evaluation goes
- * on where it stopped.
+ * on where it stopped. While it is open no other process can open it here.
  */
-final class EvaluationFile {
+final class EvaluationFile implements AutoCloseable {
+
+    /** The byte that is locked: so far behind all others that anybody may read the file meanwhile, on any system. */
+    private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
 
     private final Path file;
+    private final FileChannel channel;
 
+    /**
+     * Opens the file, which is made if need be.
+     *
+     * @throws UserError if it cannot be written, or is open already
+     */
     EvaluationFile(Path file) {
         this.file = file;
+        try {
+            channel = FileChannel.open(
+                    file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        } catch (IOException e) {
+            throw failure(e);
+        }
+        if (!lock()) {
+            close();
+            throw new UserError(file + ": another evaluation writes it just now; wait until it is done");
+        }
+    }
+
+    private boolean lock() {
+        try {
+            return channel.tryLock(LOCKED_BYTE, 1, false) != null;
+        } catch (OverlappingFileLockException e) {
+            return false;
+        } catch (IOException e) {
+            // A file system without locks: whoever works there has to see to it.
+            return true;
+        }
     }
 
     /**
@@ -32,41 +64,16 @@ final class EvaluationFile {
      * @param title first line, names what is evaluated
      */
     List<GameResult> begin(String title, IntFunction<long[]> seeds) {
-        List<GameResult> games = readable(title, seeds);
-        StringBuilder text =
-                new StringBuilder(title).append('\n').append(GameResult.HEADER).append('\n');
-        games.forEach(game -> text.append(game.line()).append('\n'));
         try {
-            Path unfinished = file.resolveSibling(file.getFileName() + ".new");
-            Files.writeString(unfinished, text);
-            Files.move(unfinished, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-        } catch (IOException e) {
-            throw failure(e);
-        }
-        return games;
-    }
-
-    private List<GameResult> readable(String title, IntFunction<long[]> seeds) {
-        List<GameResult> games = new ArrayList<>();
-        if (!Files.exists(file)) {
-            return games;
-        }
-        try {
-            String text = Files.readString(file, StandardCharsets.UTF_8);
-            // What stands behind the last line end was cut off.
-            List<String> lines =
-                    text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
-            if (lines.size() < 2 || !lines.get(0).equals(title) || !lines.get(1).equals(GameResult.HEADER)) {
-                return games;
+            String found = new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8);
+            List<GameResult> games = readable(found, title, seeds);
+            String head = title + '\n' + GameResult.HEADER + '\n';
+            String kept = head + lines(games);
+            if (!found.startsWith(kept)) {
+                channel.truncate(0);
+                write(kept);
             }
-            long[] expected = seeds.apply(lines.size() - 2);
-            for (String line : lines.subList(2, lines.size())) {
-                GameResult game = GameResult.parse(line);
-                if (game.seed() != expected[games.size()]) {
-                    return new ArrayList<>();
-                }
-                games.add(game);
-            }
+            channel.truncate(kept.getBytes(StandardCharsets.UTF_8).length);
             return games;
         } catch (IOException e) {
             throw failure(e);
@@ -75,11 +82,52 @@ final class EvaluationFile {
         }
     }
 
+    private static List<GameResult> readable(String text, String title, IntFunction<long[]> seeds) {
+        List<GameResult> games = new ArrayList<>();
+        // What stands behind the last line end was cut off.
+        List<String> lines =
+                text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
+        if (lines.size() < 2 || !lines.get(0).equals(title) || !lines.get(1).equals(GameResult.HEADER)) {
+            return games;
+        }
+        long[] expected = seeds.apply(lines.size() - 2);
+        for (String line : lines.subList(2, lines.size())) {
+            GameResult game = GameResult.parse(line);
+            if (game.seed() != expected[games.size()]) {
+                return new ArrayList<>();
+            }
+            games.add(game);
+        }
+        return games;
+    }
+
     void append(List<GameResult> games) {
+        try {
+            write(lines(games));
+        } catch (IOException e) {
+            throw failure(e);
+        }
+    }
+
+    private static String lines(List<GameResult> games) {
         StringBuilder text = new StringBuilder();
         games.forEach(game -> text.append(game.line()).append('\n'));
+        return text.toString();
+    }
+
+    private void write(String text) throws IOException {
+        channel.position(channel.size());
+        ByteBuffer bytes = StandardCharsets.UTF_8.encode(text);
+        while (bytes.hasRemaining()) {
+            channel.write(bytes);
+        }
+    }
+
+    /** Lets others open the file. */
+    @Override
+    public void close() {
         try {
-            Files.writeString(file, text, StandardOpenOption.APPEND);
+            channel.close();
         } catch (IOException e) {
             throw failure(e);
         }

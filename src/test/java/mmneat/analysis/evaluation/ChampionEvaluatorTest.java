@@ -68,6 +68,32 @@ class ChampionEvaluatorTest {
     }
 
     @Test
+    void tableThatAnotherEvaluationWrites_isRefused_andLeftAlone() throws Exception {
+        evaluate(Rules.TRAINING, 3, 1);
+        String table = table();
+        try (EvaluationFile other = new EvaluationFile(run.resolve("evaluation-training.csv"))) {
+            assertThatThrownBy(() -> evaluate(Rules.TRAINING, 5, 1))
+                    .isInstanceOf(UserError.class)
+                    .hasMessage(run.resolve("evaluation-training.csv")
+                            + ": another evaluation writes it just now; wait until it is done");
+            other.append(List.of());
+        }
+        assertThat(table()).isEqualTo(table);
+        evaluate(Rules.TRAINING, 5, 1);
+        assertThat(table()).startsWith(table).hasLineCount(7);
+    }
+
+    @Test
+    void tableOfAnotherSeed_isReplacedAsAWhole() throws Exception {
+        evaluate(Rules.TRAINING, 5, 1);
+        String longer = table();
+        Files.writeString(run.resolve("evaluation-training.csv"), longer.replace("seed 11", "seed 12"));
+        evaluate(Rules.TRAINING, 3, 1);
+        assertThat(table()).hasLineCount(5);
+        assertThat(longer).startsWith(table());
+    }
+
+    @Test
     void interruptedEvaluation_goesOn_whereItStopped() throws Exception {
         evaluate(Rules.TRAINING, 50, 2);
         String whole = table();
