@@ -14,7 +14,6 @@ import mmneat.experiment.ParameterReader;
 import mmneat.experiment.RunMonitor;
 import mmneat.experiment.RunOutcome;
 import mmneat.experiment.TaskKind;
-import mmneat.experiment.cluster.ShellWord;
 import picocli.CommandLine.ExitCode;
 
 /**
@@ -72,9 +71,11 @@ final class MainJob implements Callable<Integer> {
         // A run that is one job of many writes into its own folder only.
         boolean oneOfMany =
                 plan.parameters().isGiven("run") || plan.parameters().isGiven("runNumber");
-        Optional<Path> curve = oneOfMany ? Optional.empty() : LearningCurve.write(plan, outcomes);
         if (!quiet) {
             new ResultTable(plan, outcomes).print(out);
+        }
+        Optional<Path> curve = oneOfMany ? Optional.empty() : LearningCurve.write(plan, outcomes);
+        if (!quiet) {
             showFurther(plan, outcomes, curve);
         }
         return exitCode(outcomes);
@@ -97,11 +98,13 @@ final class MainJob implements Callable<Integer> {
             out.println("Learning curve: " + curve.get() + " (and .png)");
             out.println("To look further:");
             if (TaskKind.of(plan.parameters()) != TaskKind.OWN) {
-                out.println("  java -jar mmneat.jar watch " + best.get());
+                out.println("  " + ThisProgram.command("watch", best.get().toString()));
             }
-            out.println("  java -jar mmneat.jar network " + best.get().resolve("champion.json"));
-            out.println("  java -jar mmneat.jar status " + plan.base());
-            out.println("  java -jar mmneat.jar compare " + plan.base());
+            out.println("  "
+                    + ThisProgram.command(
+                            "network", best.get().resolve("champion.json").toString()));
+            out.println("  " + ThisProgram.command("status", plan.base().toString()));
+            out.println("  " + ThisProgram.command("compare", plan.base().toString()));
             out.flush();
         }
     }
@@ -118,7 +121,7 @@ final class MainJob implements Callable<Integer> {
         errors.println();
         errors.println("mmneat: stopped" + (finished ? "" : " while writing")
                 + "; every run is kept up to its last complete generation. To go on, give the same command again:");
-        errors.println("  java -jar mmneat.jar " + ShellWord.line(words));
+        errors.println("  " + ThisProgram.command(words.toArray(String[]::new)));
         errors.flush();
     }
 

@@ -21,6 +21,7 @@ import mmneat.experiment.cluster.CondorSubmitFile;
 import mmneat.experiment.cluster.ExperimentJob;
 import mmneat.experiment.cluster.JobResources;
 import mmneat.experiment.cluster.KubernetesManifest;
+import mmneat.experiment.cluster.ShellWord;
 import mmneat.experiment.cluster.SlurmScript;
 import mmneat.experiment.cluster.SlurmSubmission;
 import picocli.CommandLine.Command;
@@ -137,21 +138,24 @@ final class SubmitCommand extends WordCommand implements Callable<Integer> {
                 case "slurm" -> submitted.addAll(slurm(job, resources, own, out));
                 case "htcondor" -> {
                     Path file = write(job.file("condor"), CondorSubmitFile.of(job, resources));
-                    out.println("  wrote " + file + "; submit it with: condor_submit " + file);
+                    out.println("  wrote " + file + "; submit it with: "
+                            + ShellWord.line(List.of("condor_submit", file.toString())));
                 }
                 case "kubernetes" -> {
                     String manifest = KubernetesManifest.of(
                             job, resources, own.text("image", "eclipse-temurin:17-jre"), own.text("claim", "mmneat"));
                     Path file = write(job.file("yaml"), manifest);
-                    out.println("  wrote " + file + "; submit it with: kubectl apply -f " + file);
+                    out.println("  wrote " + file + "; submit it with: "
+                            + ShellWord.line(List.of("kubectl", "apply", "-f", file.toString())));
                 }
                 default -> CommandList.of(job, resources).forEach(out::println);
             }
         }
         if (!submitted.isEmpty()) {
             out.println("Follow the jobs with: squeue --job " + String.join(",", submitted));
-            out.println("Follow the runs with: java -jar mmneat.jar status "
-                    + study.parts().get(0).plan().base());
+            out.println("Follow the runs with: "
+                    + ThisProgram.command(
+                            "status", study.parts().get(0).plan().base().toString()));
         }
         out.flush();
         return ExitCode.OK;
@@ -165,7 +169,7 @@ final class SubmitCommand extends WordCommand implements Callable<Integer> {
         out.println("  wrote " + script);
         if (own.flag("dryRun", false)) {
             SlurmScript.submitCommands(job, Integer.MAX_VALUE)
-                    .forEach(line -> out.println("  would submit: " + String.join(" ", line)));
+                    .forEach(line -> out.println("  would submit: " + ShellWord.line(line)));
             return List.of();
         }
         List<String> ids = SlurmSubmission.submit(job, SlurmSubmission.arrayLimit());

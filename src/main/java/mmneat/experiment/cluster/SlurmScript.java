@@ -70,7 +70,7 @@ public final class SlurmScript {
     private SlurmScript() {}
 
     /**
-     * The script.
+     * The script. Slurm reads quotes in its own lines as a shell does.
      *
      * @param options further options of sbatch by name, for instance {@code partition} to {@code long}
      */
@@ -80,19 +80,19 @@ public final class SlurmScript {
                 .append("#SBATCH --")
                 .append(name)
                 .append('=')
-                .append(value)
+                .append(ShellWord.quote(value))
                 .append('\n'));
         List<String> command = job.command(resources, "RUN");
         return SCRIPT.formatted(
-                job.name(),
+                ShellWord.quote(job.name()),
                 RunRanges.of(job.runs()),
-                job.file("slurm"),
+                ShellWord.quote(job.file("slurm").toString()),
                 resources.cpus(),
                 resources.memoryMebibytes(),
                 resources.clockTime(),
                 furtherOptions,
-                job.workingFolder(),
-                job.folder().resolve(job.name() + "-%A_%a.log"),
+                ShellWord.quote(job.workingFolder().toString()),
+                ShellWord.quote(job.folder().resolve(job.name() + "-%A_%a.log").toString()),
                 OFFSET,
                 ShellWord.line(command).replace("run=RUN", "\"run=$run\""));
     }

@@ -44,7 +44,8 @@ class JobFilesTest {
                         "#SBATCH --time=36:00:00",
                         "#SBATCH --partition=long",
                         "#SBATCH --requeue",
-                        "#SBATCH --chdir=/home/ann/my study",
+                        "#SBATCH --chdir='/home/ann/my study'",
+                        "#SBATCH --output=results/blended/blended-2M-%A_%a.log",
                         "java -XX:+UseSerialGC -XX:ActiveProcessorCount=1 -Xmx768m -jar"
                                 + " '/home/ann/my study/mmneat.jar' \"run=$run\" task=blended method=2M maxGens=50"
                                 + " threads=1 &");
