@@ -1,8 +1,5 @@
 package mmneat.cli;
 
-import com.fasterxml.jackson.databind.MappingIterator;
-import com.fasterxml.jackson.dataformat.csv.CsvMapper;
-import com.fasterxml.jackson.dataformat.csv.CsvSchema;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +11,7 @@ import mmneat.analysis.figures.Figure;
 import mmneat.analysis.figures.LearningCurveFigure;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.PublishedResults;
+import mmneat.analysis.results.RunReader;
 import mmneat.analysis.results.RunResult;
 import mmneat.experiment.ExperimentPlan;
 import mmneat.experiment.RunOutcome;
@@ -34,7 +32,7 @@ final class LearningCurve {
             if (outcome.isComplete()) {
                 Path folder = outcome.run().directory();
                 runs.add(new RunResult(
-                        folder, outcome.run().number(), Map.of(), championScores(folder), Optional.empty()));
+                        folder, outcome.run().number(), Map.of(), RunReader.championScores(folder), Optional.empty()));
             }
         }
         if (runs.isEmpty()) {
@@ -47,18 +45,5 @@ final class LearningCurve {
         Files.writeString(svg, figure.svg());
         Files.write(plan.base().resolve(plan.name() + "_learning-curve.png"), figure.png());
         return Optional.of(svg);
-    }
-
-    private static double[] championScores(Path run) throws IOException {
-        List<Double> scores = new ArrayList<>();
-        try (MappingIterator<Map<String, String>> rows = new CsvMapper()
-                .readerForMapOf(String.class)
-                .with(CsvSchema.emptySchema().withHeader())
-                .readValues(run.resolve("generations.csv").toFile())) {
-            while (rows.hasNext()) {
-                scores.add(Double.parseDouble(rows.next().get("best")));
-            }
-        }
-        return scores.stream().mapToDouble(Double::doubleValue).toArray();
     }
 }

@@ -48,8 +48,19 @@ final class RunLock implements AutoCloseable {
     static final class HeldException extends Exception {
         private static final long serialVersionUID = 1;
 
-        HeldException(Path lock, String holder) {
-            super(lock.getParent() + " is in use by " + holder + "; wait for it or stop it (the lock is " + lock + ")");
+        private HeldException(String message) {
+            super(message);
+        }
+
+        static HeldException by(String holder, Path lock) {
+            return new HeldException(lock.getParent() + " is in use by " + holder
+                    + "; wait for it or stop it (the lock is " + lock + ")");
+        }
+
+        static HeldException byNobody(Path lock) {
+            return new HeldException(
+                    lock + " was deleted while the run was worked at, so that others could have begun to;"
+                            + " give the same command again to go on");
         }
     }
 
@@ -98,7 +109,7 @@ final class RunLock implements AutoCloseable {
             Optional<Sighting> sighting = look(directory);
             if (sighting.isPresent()) {
                 if (!isDead(directory, sighting.get(), self, timing)) {
-                    throw new HeldException(file, sighting.get().describe());
+                    throw HeldException.by(sighting.get().describe(), file);
                 }
                 remove(file, sighting.get(), self);
             }
@@ -127,8 +138,8 @@ final class RunLock implements AutoCloseable {
         boolean held =
                 sighting.flatMap(Sighting::holder).filter(self::equalsToken).isPresent();
         if (!held) {
-            HeldException lost = new HeldException(
-                    file, sighting.map(Sighting::describe).orElse("nobody, but its lock was deleted"));
+            HeldException lost = sighting.map(other -> HeldException.by(other.describe(), file))
+                    .orElseGet(() -> HeldException.byNobody(file));
             if (touchFailure != null) {
                 lost.addSuppressed(touchFailure);
             }

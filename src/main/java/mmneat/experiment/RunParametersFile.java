@@ -51,15 +51,35 @@ final class RunParametersFile {
     }
 
     /**
+     * All values by name.
+     *
+     * @throws UserError if they cannot be read
+     */
+    Map<String, String> read() {
+        try (Reader reader = Files.newBufferedReader(file)) {
+            return PublishedConfigurations.read(reader);
+        } catch (IOException e) {
+            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
+        }
+    }
+
+    /** The number of the run, from its values. */
+    int runNumber(Map<String, String> values) {
+        String number = values.getOrDefault("runNumber", "0");
+        try {
+            return Integer.parseInt(number);
+        } catch (NumberFormatException e) {
+            throw new UserError(file + ": runNumber=" + number + ": must be a whole number", e);
+        }
+    }
+
+    /**
      * Makes sure that the run was begun with the same parameters.
      *
      * @throws UserError if not, naming those that differ
      */
-    void requireSame(RunPlan run) throws IOException {
-        Map<String, String> saved;
-        try (Reader reader = Files.newBufferedReader(file)) {
-            saved = PublishedConfigurations.read(reader);
-        }
+    void requireSame(RunPlan run) {
+        Map<String, String> saved = read();
         List<String> differing = new ArrayList<>();
         values(run).forEach((name, value) -> {
             String before = saved.get(name);

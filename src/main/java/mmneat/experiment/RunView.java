@@ -1,7 +1,6 @@
 package mmneat.experiment;
 
 import java.io.IOException;
-import java.io.Reader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -48,16 +47,14 @@ public record RunView(
 
     /** Whether a folder is that of a run of this program. */
     static boolean isRun(Path folder) {
-        return Files.exists(folder.resolve("parameters.properties"))
+        return new RunParametersFile(folder).exists()
                 && (Files.exists(folder.resolve("status.json")) || new CheckpointFile(folder).exists());
     }
 
     /** Reads a run's folder. */
     static RunView read(Path directory, Instant now) throws IOException {
-        Map<String, String> parameters;
-        try (Reader reader = Files.newBufferedReader(directory.resolve("parameters.properties"))) {
-            parameters = PublishedConfigurations.read(reader);
-        }
+        RunParametersFile file = new RunParametersFile(directory);
+        Map<String, String> parameters = file.read();
         Optional<RunStatus> status = RunStatus.read(directory);
         Optional<RunLock.Sighting> lock = RunLock.look(directory);
         boolean worksNow =
@@ -73,7 +70,7 @@ public record RunView(
         return new RunView(
                 directory,
                 parameters.getOrDefault("log", ""),
-                Integer.parseInt(parameters.getOrDefault("runNumber", "0")),
+                file.runNumber(parameters),
                 state,
                 status.orElse(null),
                 lock.map(RunLock.Sighting::signOfLife).orElse(null),

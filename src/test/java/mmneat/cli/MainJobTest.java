@@ -3,6 +3,7 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -33,7 +34,7 @@ class MainJobTest extends CommandTest {
                 .containsPattern("run +best +median +folder")
                 .contains(folder.resolve("xor").resolve("1M1").toString())
                 .contains("champion.json: the best parent of generation 1,")
-                .contains("mmneat.jar network " + folder.resolve("xor"))
+                .contains(" network " + folder.resolve("xor"))
                 .doesNotContain("\u001b");
         assertThat(folder.resolve("xor/XorTask-1M_learning-curve.svg"))
                 .content()
@@ -79,10 +80,32 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
+    void damagedParametersOfARun_areAMistake_thatNamesThem() throws IOException {
+        assertThat(evolve("runs=1")).isZero();
+        Path parameters = folder.resolve("xor/1M0/parameters.properties");
+        Files.writeString(parameters, Files.readString(parameters).replace("runNumber=0", "runNumber=x"));
+        assertMistake(parameters + ": runNumber=x: must be a whole number", "status", folder.toString());
+        Files.writeString(parameters, "# für", StandardCharsets.ISO_8859_1);
+        assertMistake(parameters + ": cannot be read: it is not a text in UTF-8", "status", folder.toString());
+    }
+
+    @Test
+    void finishedRunWithoutItsTable_isAMistake_behindTheResults() throws IOException {
+        assertThat(evolve("runs=1")).isZero();
+        Files.delete(folder.resolve("xor/1M0/generations.csv"));
+        Files.delete(folder.resolve("xor/1M0/XorTask-1M0_parents_log.txt"));
+        assertThat(evolve("runs=1")).isEqualTo(2);
+        assertThat(out.toString()).contains("1 run was complete before");
+        assertThat(errors.toString())
+                .isEqualToIgnoringNewLines(
+                        "mmneat: " + folder.resolve("xor/1M0") + ": has no generations.csv any more");
+    }
+
+    @Test
     void experimentsOfOtherRunNames_inOneFolder_areTwo() {
         assertThat(evolve("runs=2")).isZero();
         assertThat(evolve("runs=1", "saveTo=other-")).isZero();
-        assertThat(out.toString()).contains("XorTask-other: run 0 in").doesNotContain("mmneat.jar watch");
+        assertThat(out.toString()).contains("XorTask-other: run 0 in").doesNotContain(" watch ");
         assertThat(execute("status", folder.toString())).isZero();
         assertThat(out.toString()).contains("2 of 2 finished").contains("1 of 1 finished");
     }

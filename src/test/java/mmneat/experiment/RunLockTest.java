@@ -129,6 +129,16 @@ class RunLockTest {
     }
 
     @Test
+    void holderWhoseLockWasDeleted_isToldSo() throws Exception {
+        try (RunLock lock = RunLock.acquire(folder, QUICK)) {
+            Files.delete(folder.resolve("lock.json"));
+            assertThatThrownBy(lock::requireHeld)
+                    .isInstanceOf(RunLock.HeldException.class)
+                    .hasMessageStartingWith(folder.resolve("lock.json") + " was deleted");
+        }
+    }
+
+    @Test
     void holder_givesSignsOfLife() throws Exception {
         try (RunLock lock = RunLock.acquire(folder, QUICK)) {
             Path file = folder.resolve("lock.json");

@@ -8,14 +8,21 @@ import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 
 /** The saved parameters of a run: ours, or the original's, whose lines {@code name:value} are properties as well. */
 public final class RunParameters {
+
+    /** What others read as numbers. */
+    private static final List<String> WHOLE_NUMBERS = List.of("runNumber", "startingModes", "multitaskModes");
+
+    private static final List<String> NUMBERS = List.of("mmdRate");
 
     private RunParameters() {}
 
@@ -34,19 +41,38 @@ public final class RunParameters {
         }
     }
 
-    /** All parameters by name; none without a folder or without a file in it. */
+    /**
+     * All parameters by name; none without a folder or without a file in it.
+     *
+     * @throws UserError if the file cannot be read, or one that has to be a number is none
+     */
     public static Map<String, String> read(Optional<Path> folder) {
         Optional<Path> file = folder.flatMap(RunParameters::file);
         if (file.isEmpty()) {
             return Map.of();
         }
         try (Reader reader = Files.newBufferedReader(file.get())) {
-            return new JavaPropsMapper()
+            Map<String, String> parameters = new JavaPropsMapper()
                     .readerFor(new TypeReference<Map<String, String>>() {})
                     .with(JavaPropsSchema.emptySchema().withoutPathSeparator())
                     .readValue(reader);
+            WHOLE_NUMBERS.forEach(name -> require(file.get(), parameters, name, Integer::parseInt, "a whole number"));
+            NUMBERS.forEach(name -> require(file.get(), parameters, name, Double::parseDouble, "a number"));
+            return parameters;
         } catch (IOException e) {
             throw new UserError(file.get() + ": cannot be read: " + FileTrouble.reason(e), e);
+        }
+    }
+
+    private static void require(
+            Path file, Map<String, String> parameters, String name, Function<String, Number> reading, String allowed) {
+        String value = parameters.get(name);
+        try {
+            if (value != null) {
+                reading.apply(value);
+            }
+        } catch (NumberFormatException e) {
+            throw new UserError(file + ": " + name + "=" + value + ": must be " + allowed, e);
         }
     }
 }

@@ -19,7 +19,7 @@ import mmneat.experiment.UserError;
 /**
  * Reads the folder of a run, ours or the original's: the champion's scores, the parameters, the evaluation.
  */
-final class RunReader {
+public final class RunReader {
 
     private static final String GENERATIONS = "generations.csv";
 
@@ -45,12 +45,22 @@ final class RunReader {
                 folder, number(folder, parameters), parameters, championScores(folder), evaluation(folder));
     }
 
-    /** From our own table, or from the log in the original's form, which the original's runs have alone. */
-    private static double[] championScores(Path folder) {
+    /**
+     * The champion's score in each generation: from our own table, or from the log in the original's form, which the original's
+     * runs have alone.
+     *
+     * @throws UserError if there is none
+     */
+    public static double[] championScores(Path folder) {
         Path table = folder.resolve(GENERATIONS);
         return Files.exists(table)
                 ? column(table, 1, ",", BEST_COLUMN)
-                : column(file(folder, PARENTS_LOG).orElseThrow(), 0, "\t", CHAMPION_SCORE_COLUMN);
+                : column(
+                        file(folder, PARENTS_LOG)
+                                .orElseThrow(() -> new UserError(folder + ": has no " + GENERATIONS + " any more")),
+                        0,
+                        "\t",
+                        CHAMPION_SCORE_COLUMN);
     }
 
     private static double[] column(Path file, int headerLines, String separator, int column) {

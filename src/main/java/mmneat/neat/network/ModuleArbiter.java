@@ -74,14 +74,20 @@ final class ModuleArbiter {
             total = computeShares(highestPreference());
         }
         double left = random.nextDouble() * total;
-        int module = 0;
-        while (module < shares.length - 1 && left >= shares[module]) {
-            left -= shares[module++];
+        int chosen = 0;
+        for (int module = 0; module < shares.length; module++) {
+            // Rounding may leave a little behind the last share; a module without one is never chosen.
+            if (shares[module] > 0) {
+                chosen = module;
+                if (left < shares[module]) {
+                    return chosen;
+                }
+                left -= shares[module];
+            }
         }
-        return module;
+        return chosen;
     }
 
-    /** Puts exp((preference - offset) / temperature) into the shares, and adds them up. */
     private double computeShares(double offset) {
         double total = 0;
         for (int module = 0; module < shares.length; module++) {

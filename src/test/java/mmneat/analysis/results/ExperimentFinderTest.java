@@ -141,4 +141,14 @@ class ExperimentFinderTest {
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("blended-1M0_parents_log.txt, line 1");
     }
+
+    @Test
+    void parameterThatIsNoNumber_isAnErrorThatNamesIt() throws IOException {
+        Path run = RunFixture.run(base, "blended", "2M", 0, 1000, 2000);
+        Path parameters = run.resolve("parameters.properties");
+        Files.writeString(parameters, Files.readString(parameters).replace("runNumber=0", "runNumber=x"));
+        assertThatThrownBy(() -> ExperimentFinder.find(List.of(base.resolve("blended"))))
+                .isInstanceOf(UserError.class)
+                .hasMessage(parameters + ": runNumber=x: must be a whole number");
+    }
 }

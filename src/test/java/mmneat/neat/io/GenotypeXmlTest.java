@@ -153,4 +153,13 @@ class GenotypeXmlTest {
                 .isInstanceOf(GenotypeFormatException.class)
                 .hasMessageContaining("nested deeper");
     }
+
+    @Test
+    void shadowEntry_isNoNodeOfANetwork() throws IOException {
+        String shadow = "name=\"fromCombiningCrossover\" type=\"boolean\" value=\"%s\"";
+        String xml = GenotypeXml.write(NETWORK).replaceFirst(shadow.formatted(false), shadow.formatted(true));
+        assertThatThrownBy(() -> GenotypeXml.read(xml))
+                .isInstanceOf(GenotypeFormatException.class)
+                .hasMessage("nodes[0].fromCombiningCrossover: is true, as only entries of an archetype are");
+    }
 }
