@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import mmneat.analysis.statistics.Numbers;
 import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.ExperimentPlan;
 import mmneat.experiment.RunMonitor;
@@ -147,7 +148,7 @@ final class Progress {
     private static String runLine(int number, Snapshot now) {
         String scores = Double.isNaN(now.best())
                 ? "first generation"
-                : "best " + Texts.score(now.best()) + ", median " + Texts.score(now.median());
+                : "best " + Numbers.score(now.best()) + ", median " + Numbers.score(now.median());
         // What may not fit into 80 columns stands last.
         return "run " + number + ": generation " + now.generation() + "/" + now.generations() + ", " + scores + ", "
                 + (now.timeLeft() == null ? "" : Texts.duration(now.timeLeft()) + " left, ")

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import mmneat.analysis.statistics.Numbers;
 import mmneat.experiment.ExperimentPlan;
 import mmneat.experiment.RunMonitor.Phase;
 import mmneat.experiment.RunOutcome;
@@ -69,8 +70,8 @@ final class ResultTable {
                 Locale.ROOT,
                 "  %5d  %10s  %10s  %s%n",
                 outcome.run().number(),
-                Texts.score(outcome.status().best()),
-                Texts.score(outcome.status().median()),
+                Numbers.score(outcome.status().best()),
+                Numbers.score(outcome.status().median()),
                 outcome.run().directory());
     }
 }

@@ -11,6 +11,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import mmneat.analysis.statistics.Numbers;
 import mmneat.experiment.ExperimentView;
 import mmneat.experiment.RunStatus;
 import mmneat.experiment.RunView;
@@ -78,8 +79,8 @@ final class StatusCommand implements Callable<Integer> {
                     run.number(),
                     run.state().name().toLowerCase(Locale.ROOT),
                     status == null ? "" : status.generation() + "/" + status.generations(),
-                    status == null || Double.isNaN(status.best()) ? "" : Texts.score(status.best()),
-                    status == null || Double.isNaN(status.median()) ? "" : Texts.score(status.median()),
+                    status == null || Double.isNaN(status.best()) ? "" : Numbers.score(status.best()),
+                    status == null || Double.isNaN(status.median()) ? "" : Numbers.score(status.median()),
                     details(run, now));
         }
         out.println();
@@ -98,11 +99,11 @@ final class StatusCommand implements Callable<Integer> {
             }
         }
         experiment.best().ifPresent(run -> summary.append("; champions: best ")
-                .append(Texts.score(run.status().best()))
+                .append(Numbers.score(run.status().best()))
                 .append(" (run ")
                 .append(run.number())
                 .append("), median ")
-                .append(Texts.score(experiment.medianChampion())));
+                .append(Numbers.score(experiment.medianChampion())));
         return summary.toString();
     }
 

@@ -8,15 +8,6 @@ final class Texts {
 
     private Texts() {}
 
-    /** A score: whole numbers with separators if it is large, digits behind the point if it is small. */
-    static String score(double value) {
-        return Math.abs(value) >= 1000
-                ? String.format(Locale.ROOT, "%,.0f", value)
-                : String.format(Locale.ROOT, "%.4g", value)
-                        .replaceFirst("(\\.\\d*?)0+$", "$1")
-                        .replaceFirst("\\.$", "");
-    }
-
     static String percent(double portion) {
         return String.format(Locale.ROOT, "%.0f%%", portion * 100);
     }

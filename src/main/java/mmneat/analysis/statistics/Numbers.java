@@ -7,14 +7,16 @@ public final class Numbers {
 
     private Numbers() {}
 
-    /** A score: groups of three digits and no decimals if it is a hundred or more, else four digits; a dash for NaN. */
+    /** A score: groups of three digits and no decimals if it is a hundred or more, else up to four digits; a dash for NaN. */
     public static String score(double value) {
         if (Double.isNaN(value)) {
             return "-";
         }
         return Math.abs(value) >= 100 || value == Math.rint(value)
                 ? String.format(Locale.ROOT, "%,.0f", value)
-                : String.format(Locale.ROOT, "%.4g", value);
+                : String.format(Locale.ROOT, "%.4g", value)
+                        .replaceFirst("(\\.\\d*?)0+$", "$1")
+                        .replaceFirst("\\.$", "");
     }
 
     /** A probability with two or three significant digits; scientific below 0.0001. */
