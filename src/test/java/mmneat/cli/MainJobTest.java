@@ -111,6 +111,17 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
+    void reportOfAnotherTask_hasCurvesAndNetworks_butNoGames() {
+        assertThat(evolve("runs=2")).isZero();
+        Path page = folder.resolve("report.html");
+        assertThat(execute("report", folder.resolve("xor").toString(), "out=" + page))
+                .as(errors.toString())
+                .isZero();
+        assertThat(page).content().contains("<svg").doesNotContain("-replays/");
+        assertThat(folder.resolve("report-replays")).doesNotExist();
+    }
+
+    @Test
     void noWord_showsTheFewCommandsANewcomerNeeds() {
         for (String[] arguments : new String[][] {{}, {"help"}}) {
             assertThat(execute(arguments)).isZero();
