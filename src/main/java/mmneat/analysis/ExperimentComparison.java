@@ -73,6 +73,12 @@ public record ExperimentComparison(boolean evaluated, ComparisonReport report, L
             throw new UserError("scores=evaluation: not every champion of " + String.join(", ", missing)
                     + " was evaluated; run evaluate on it first");
         }
+        if (experiments.stream().allMatch(experiment -> experiment.version().isEmpty())) {
+            // evaluate plays Ms. Pac-Man.
+            notes.add(
+                    "Scores are the champions' of the last generation: the best of few evaluations, and so too high.");
+            return false;
+        }
         notes.add("Scores are the champions' of the last generation, the best of few games and so too high: not every"
                 + " champion of " + String.join(", ", missing) + " was evaluated. Run evaluate for 1,000 games each.");
         return false;

@@ -117,7 +117,10 @@ class MainJobTest extends CommandTest {
         assertThat(execute("report", folder.resolve("xor").toString(), "out=" + page))
                 .as(errors.toString())
                 .isZero();
-        assertThat(page).content().contains("<svg").doesNotContain("-replays/");
+        assertThat(page)
+                .content()
+                .contains("1 experiment, 2 runs", "alt=\"network of run 1\"", "best of few evaluations")
+                .doesNotContain("-replays/", "the replays stand", "Run evaluate");
         assertThat(folder.resolve("report-replays")).doesNotExist();
     }
 

@@ -78,9 +78,11 @@ public final class ExperimentReport {
      */
     public String html(String title, List<Figure> figures, BiFunction<Experiment, RunResult, String> replays) {
         int runs = experiments.stream().mapToInt(e -> e.runs().size()).sum();
+        boolean hasReplays = experiments.stream().anyMatch(experiment -> experiment.runs().stream()
+                .anyMatch(run -> replays.apply(experiment, run) != null));
         return new Page("report", "report.html")
                 .withText("title", title)
-                .withText("subtitle", experiments.size() + " experiments, " + runs + " runs")
+                .withText("subtitle", counted(experiments.size(), "experiment") + ", " + counted(runs, "run"))
                 .with(
                         "notes",
                         comparison.notes().stream()
@@ -99,7 +101,12 @@ public final class ExperimentReport {
                                 .map(experiment -> champions(experiment, replays))
                                 .collect(Collectors.joining()))
                 .with("settings", settings())
+                .withText("replays", hasReplays ? "; the replays stand in the folder beside it" : "")
                 .html();
+    }
+
+    private static String counted(int count, String thing) {
+        return count + " " + thing + (count == 1 ? "" : "s");
     }
 
     private String statistics() {
