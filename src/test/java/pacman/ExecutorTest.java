@@ -10,6 +10,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import mmneat.random.ResumableRandom;
@@ -113,10 +114,15 @@ class ExecutorTest {
     }
 
     @Test
-    void nullGhostMap_repeatsTheLastMoves() {
+    void nullGhostMap_isPassedOn_soThatTheEngineDecides() {
         Game game = new Game(0);
         executor.runExperiment(new StarterPacMan(), new NoGhosts(), game);
-        assertThat(game.gameOver()).isTrue();
+        Game byHand = new Game(0);
+        StarterPacMan pacMan = new StarterPacMan();
+        while (!byHand.gameOver()) {
+            byHand.advanceGame(pacMan.getMove(byHand.copy(), -1), null);
+        }
+        assertThat(game.getGameState()).isEqualTo(byHand.getGameState());
     }
 
     @Test
@@ -192,11 +198,24 @@ class ExecutorTest {
 
     @Test
     void replay_stopsWhenTheLastLevelIsOver() {
-        Game game = new Game(0, GameRules.mmneat(), new ResumableRandom(0));
-        Recording recording = new Recording(List.of(game.getGameState(), game.getGameState()));
-        GameRules noLevels = GameRules.mmneat().with().maximumLevel(1).build();
-        assertThat(executor.replayGame(recording, noLevels, false, 0).getCurrentLevel())
+        GameRules shortLevels = GameRules.mmneat()
+                .with()
+                .levelTimeLimit(30)
+                .fatalTimeLimit(false)
+                .build();
+        Game game = new Game(0, shortLevels, new ResumableRandom(0));
+        List<String> states = new ArrayList<>();
+        while (game.getCurrentLevel() < 2) {
+            states.add(game.getGameState());
+            game.advanceGame(MOVE.LEFT, null);
+        }
+        GameRules oneLevel = shortLevels.with().maximumLevel(1).build();
+        Game last = executor.replayGame(new Recording(states), oneLevel, false, 0);
+        assertThat(last.getCurrentLevel()).isOne();
+        assertThat(last.getCurrentLevelTime())
+                .as("the first state behind the last level")
                 .isZero();
+        assertThat(states).hasSizeGreaterThan(50);
     }
 
     @Test

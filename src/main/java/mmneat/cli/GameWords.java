@@ -54,9 +54,26 @@ final class GameWords {
             words.requireEffect(name, name(words).equals(ISOLATED_GHOSTS), "it goes with rules=" + ISOLATED_GHOSTS);
         }
         GameRules rules = words.has("rules") ? named(name(words), words) : otherwise;
-        return words.has("maze")
-                ? rules.with().mazes(mazes(words.requiredText("maze", "FILE"))).build()
-                : rules;
+        if (!words.has("maze")) {
+            return rules;
+        }
+        String maze = words.requiredText("maze", "FILE");
+        if (rules.ghostLocations() != null) {
+            return rules.with().initialMaze(recordedMaze(maze)).build();
+        }
+        return rules.with().mazes(mazes(maze)).build();
+    }
+
+    /** Recorded ghost locations belong to their mazes, which stay where they are; games end in the first. */
+    private static int recordedMaze(String name) {
+        int index = MAZES.indexOf(name.toLowerCase(Locale.ROOT));
+        if (index < 0) {
+            throw Words.badValue(
+                    "maze",
+                    name,
+                    "a, b, c or d with rules=" + ISOLATED_GHOSTS + ": ghost locations are recorded in these");
+        }
+        return index;
     }
 
     /** The name of the rules, for reports. */

@@ -48,9 +48,13 @@ public final class Game {
         this(seed, 0);
     }
 
-    /** A competition game that starts in one of the four mazes, 0 to 3. */
+    /**
+     * A competition game that starts in one of the four mazes.
+     *
+     * @throws IllegalArgumentException if there is no such maze
+     */
     public Game(long seed, int initialMaze) {
-        this(new GameState(seed, CompetitionRules.RULES, initialMaze, null));
+        this(seed, initialMaze == 0 ? CompetitionRules.RULES : CompetitionRules.from(initialMaze));
     }
 
     /** A game by given rules, every random number of which follows from the seed. */
@@ -66,7 +70,7 @@ public final class Game {
      *     too. If null, the game's own generator is used
      */
     public Game(long seed, GameRules rules, ResumableRandom shared) {
-        this(new GameState(seed, rules, rules.initialMaze(), shared));
+        this(new GameState(seed, rules, shared));
     }
 
     private Game(GameState state) {
@@ -77,6 +81,10 @@ public final class Game {
     /** The default rules, in a class of their own so that they exist before {@link #caches} makes games. */
     private static final class CompetitionRules {
         static final GameRules RULES = GameRules.competition();
+
+        static GameRules from(int maze) {
+            return RULES.with().initialMaze(maze).build();
+        }
     }
 
     // ---- Copying and starting again
@@ -107,7 +115,7 @@ public final class Game {
     /**
      * Restores what {@link #getGameState()} of either conventions holds, and nothing else.
      *
-     * @throws IllegalArgumentException if the string is not a game state
+     * @throws IllegalArgumentException if the string is not a state of a game in these mazes; the game is then unchanged
      */
     public void setGameState(String gameState) {
         StateText.read(state, gameState);
@@ -471,9 +479,13 @@ public final class Game {
         int[] nodes = new int[Long.bitCount(state.powerPills)];
         int count = 0;
         for (long bits = state.powerPills; bits != 0; bits &= bits - 1) {
-            nodes[count++] = state.graph.powerPillNode(Long.numberOfTrailingZeros(bits));
+            int powerPill = Long.numberOfTrailingZeros(bits);
+            // As for pills.
+            if (powerPill < state.graph.powerPillCount()) {
+                nodes[count++] = state.graph.powerPillNode(powerPill);
+            }
         }
-        return nodes;
+        return count == nodes.length ? nodes : Arrays.copyOf(nodes, count);
     }
 
     /** Number of the maze's pills, eaten or not. */
@@ -613,7 +625,8 @@ public final class Game {
 
     /** Length of {@link #getShortestPath(int, int, MOVE)}. */
     public int getShortestPathDistance(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade) {
-        return state.tables.paths().directedLength(fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, lastMoveMade));
+        return MoveQueries.directedLength(
+                state.tables, fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, lastMoveMade));
     }
 
     /** A path that may start in any direction: the nodes after the start, the target last. */

@@ -21,7 +21,7 @@ import pacman.game.internal.Mazes;
  * @param creditForRemainingPills whether half the points of what is left are given at the end of a level
  * @param edibleTime steps for which ghosts are edible in the first level
  * @param infiniteEdibleTime whether ghosts stay edible until they are eaten
- * @param lairTime steps for which an eaten ghost stays in the lair in the first level
+ * @param lairTime steps for which an eaten ghost stays in the lair in the first level, at least 2
  * @param imprisonedWhileEdible whether no ghost leaves the lair while another is edible
  * @param randomGhostReversals whether ghosts reverse at random
  * @param activeGhosts number of ghosts that leave the lair, 0 to 4
@@ -30,7 +30,8 @@ import pacman.game.internal.Mazes;
  * @param powerPillPunishmentRate probability in [0, 1] that the game ends when a ghost's edible time runs out
  * @param dieOnImproperPowerPillEating whether eating a power pill ends the game unless all active ghosts are threats
  * @param switches rules that are switched on the game object
- * @param ghostLocations where ghosts leave the lair under {@link GameSwitches#lairExitDatabase}; otherwise may be null
+ * @param ghostLocations where ghosts leave the lair under {@link GameSwitches#lairExitDatabase}, in the mazes of the competition
+ *     only; otherwise may be null
  */
 public record GameRules(
         Conventions conventions,
@@ -77,23 +78,37 @@ public record GameRules(
         }
         requireRange("initialMaze", initialMaze, 0, mazes.count() - 1);
         requireRange("onlyMaze", onlyMaze, -1, mazes.count() - 1);
-        requireRange("startingPowerPill", startingPowerPill, -1, Long.SIZE - 1);
+        requireRange("startingPowerPill", startingPowerPill, -1, Integer.MAX_VALUE);
         requireRange("lives", lives, 1, Integer.MAX_VALUE);
         requireRange("maximumLevel", maximumLevel, 1, Integer.MAX_VALUE);
         requireRange("levelTimeLimit", levelTimeLimit, 1, Integer.MAX_VALUE);
         requireRange("edibleTime", edibleTime, 0, Integer.MAX_VALUE);
-        requireRange("lairTime", lairTime, 0, Integer.MAX_VALUE);
+        // Shortened from level to level it must stay 1 at least: a ghost without lair time moves, which it cannot in
+        // the lair.
+        requireRange("lairTime", lairTime, 2, Integer.MAX_VALUE);
         requireRange("activeGhosts", activeGhosts, 0, Constants.NUM_GHOSTS);
         requireProbability("preEatenPillPortion", preEatenPillPortion);
         requireProbability("powerPillPunishmentRate", powerPillPunishmentRate);
-        if (switches.lairExitDatabase() && ghostLocations == null) {
-            throw new IllegalArgumentException("lairExitDatabase needs ghostLocations");
+        if (switches.lairExitDatabase() && (ghostLocations == null || mazes != Mazes.standard())) {
+            throw new IllegalArgumentException(
+                    "lairExitDatabase needs ghostLocations, which are recorded in the four mazes of the competition");
         }
+        requirePowerPill(mazes, startingPowerPill);
     }
 
     private static void requireRange(String name, int value, int lowest, int highest) {
         if (value < lowest || value > highest) {
             throw new IllegalArgumentException(name + " must be from " + lowest + " to " + highest + ", is " + value);
+        }
+    }
+
+    private static void requirePowerPill(Mazes mazes, int powerPill) {
+        // The mazes of the competition have four each, and are not loaded for this.
+        for (int index = 0; index < mazes.count() && powerPill >= 0; index++) {
+            int powerPills = mazes == Mazes.standard()
+                    ? Constants.NUM_MAZES
+                    : mazes.get(index).graph().powerPillCount();
+            requireRange("startingPowerPill", powerPill, -1, powerPills - 1);
         }
     }
 

@@ -135,13 +135,13 @@ final class GameState {
     long timeInDeadSpace;
     double lureDistance;
 
-    GameState(long seed, GameRules rules, int initialMaze, ResumableRandom shared) {
+    GameState(long seed, GameRules rules, ResumableRandom shared) {
         this.rules = rules;
         this.shared = shared;
         random = new ResumableRandom(seed);
         history = new GameHistory();
         ghosts = new int[4 * GHOSTS];
-        start(initialMaze);
+        start();
     }
 
     private GameState(GameState other) {
@@ -224,15 +224,15 @@ final class GameState {
         powerPillsEatenWhenGhostFar = 0;
         timeInDeadSpace = 0;
         Arrays.fill(ghosts, EATEN, EATEN + GHOSTS, 0);
-        start(rules.initialMaze());
+        start();
     }
 
-    private void start(int initialMaze) {
+    private void start() {
         timeOfLastReversal = -1;
         timeOfLastPowerPill = -1;
         lureDistance = -(4.0 * 4 * 4 * 200);
         lives = rules.lives();
-        mazeIndex = rules.onlyMaze() >= 0 ? rules.onlyMaze() : initialMaze;
+        mazeIndex = rules.onlyMaze() >= 0 ? rules.onlyMaze() : rules.initialMaze();
         timesLevel = Math.max(0, rules.onlyMaze());
         // Pills are set before the switches, as by the original's constructor.
         switches = 0;

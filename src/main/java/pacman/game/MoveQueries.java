@@ -20,18 +20,21 @@ final class MoveQueries {
     private MoveQueries() {}
 
     static int pathDistance(MazeTables tables, int from, int to) {
-        if ((from | to) < 0) {
-            return distanceToMissing(Math.max(from, to));
+        if (Math.min(from, to) == -1 && Math.max(from, to) > 0) {
+            // Quirk of the original: node -1 reads the table cell before the other node's row, which is always 0.
+            requireNode(tables, Math.max(from, to));
+            return 0;
         }
+        requireNode(tables, from);
+        requireNode(tables, to);
         return tables.distances().between(from, to);
     }
 
-    // Quirk of the original: node -1 reads the table cell before the other node's row, which is always 0.
-    private static int distanceToMissing(int other) {
-        if (other <= 0) {
-            throw new ArrayIndexOutOfBoundsException(-1);
+    /** Tables of pairs would answer for some wrong nodes too. */
+    static void requireNode(MazeTables tables, int node) {
+        if (node < 0 || node >= tables.graph().nodeCount()) {
+            throw new ArrayIndexOutOfBoundsException(node);
         }
-        return 0;
     }
 
     static double euclideanDistance(MazeGraph graph, int from, int to) {
@@ -57,9 +60,13 @@ final class MoveQueries {
 
     /** Distance for something that must not turn back; only path distance minds. */
     static double distance(MazeTables tables, int from, int to, int lastMove, DM metric) {
-        return metric == DM.PATH
-                ? tables.paths().directedLength(from, to, lastMove)
-                : distance(tables, from, to, metric);
+        return metric == DM.PATH ? directedLength(tables, from, to, lastMove) : distance(tables, from, to, metric);
+    }
+
+    static int directedLength(MazeTables tables, int from, int to, int lastMove) {
+        requireNode(tables, from);
+        requireNode(tables, to);
+        return tables.paths().directedLength(from, to, lastMove);
     }
 
     static MOVE nextMove(MazeTables tables, int from, int to, DM metric, boolean towards) {

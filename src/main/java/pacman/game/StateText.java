@@ -6,9 +6,11 @@ import static pacman.game.GameState.LAIR;
 import static pacman.game.GameState.POSE;
 
 import java.util.Arrays;
+import java.util.Objects;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
+import pacman.game.internal.MazeGraph;
 import pacman.game.internal.MazePoses;
 
 /**
@@ -21,6 +23,13 @@ final class StateText {
 
     private static final int SHORT = 35;
     private static final int LONG = 56;
+    /**
+     * What each field is: an int, a long (L), a double, a boolean, a move, a node, the maze, its pills (P) or its power pills (Q).
+     */
+    private static final String COUNTERS = "L" + "iiii" + "dL" + "iiiiiiiii" + "bbbb";
+
+    private static final String REST_OF_SHORT = "nmib" + "niim".repeat(GHOSTS) + "PQ" + "ib" + "bbbb" + "bb";
+
     private static final MOVE[] MOVES = MOVE.values();
 
     /** Next field to read. */
@@ -51,7 +60,6 @@ final class StateText {
                     state.ghosts[LAIR + ghost],
                     MOVES[state.ghostMove(ghost)]);
         }
-        // The maze of the pills, which after the last level is not the one that the index names.
         for (int pill = 0; pill < state.graph.pillCount(); pill++) {
             text.append(state.hasPill(pill) ? '1' : '0');
         }
@@ -107,9 +115,31 @@ final class StateText {
                     + " in the competition's form, this one has " + fields.length + ": " + text);
         }
         try {
+            new StateText(fields).requireAll(state);
             new StateText(fields).read(state);
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
             throw new IllegalArgumentException("not a game state (" + e.getMessage() + "): " + text, e);
+        }
+    }
+
+    /** Makes sure that every field can be read before any is. */
+    private void requireAll(GameState state) {
+        String kinds = fields.length == LONG ? COUNTERS + "ziiiii" + REST_OF_SHORT : "ziiii" + REST_OF_SHORT;
+        MazeGraph graph = state.rules
+                .mazes()
+                .get(Integer.parseInt(fields[kinds.indexOf('z')]))
+                .graph();
+        for (next = 0; next < fields.length; ) {
+            switch (kinds.charAt(next)) {
+                case 'L' -> Long.parseLong(fields[next++]);
+                case 'd' -> Double.parseDouble(fields[next++]);
+                case 'b' -> nextBoolean();
+                case 'm' -> nextMove();
+                case 'n' -> Objects.checkIndex(nextInt(), graph.nodeCount());
+                case 'P' -> requireLength("pills", fields[next++], graph.pillCount());
+                case 'Q' -> requireLength("power pills", fields[next++], graph.powerPillCount());
+                default -> nextInt();
+            }
         }
     }
 
@@ -172,8 +202,6 @@ final class StateText {
         // As in the original all pills are set first, which draws random numbers under preEatenPillPortion.
         state.fillPills();
         state.fillPowerPills();
-        requireLength("pills", pills, state.graph.pillCount());
-        requireLength("power pills", powerPills, state.graph.powerPillCount());
         Arrays.fill(state.pills, 0);
         state.pillsLeft = 0;
         for (int pill = 0; pill < pills.length(); pill++) {

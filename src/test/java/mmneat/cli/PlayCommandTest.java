@@ -54,6 +54,14 @@ class PlayCommandTest extends CommandTest {
     }
 
     @Test
+    void isolatedGhosts_startInTheMazeThatIsNamed_ifItWasRecorded() throws IOException {
+        assertThat(execute("play", "games=5", "rules=isolatedGhosts", "maze=c")).isZero();
+        Path drawing = Files.writeString(folder.resolve("mine.txt"), "#");
+        assertMistake(
+                "must be a, b, c or d with rules=isolatedGhosts", "play", "rules=isolatedGhosts", "maze=" + drawing);
+    }
+
+    @Test
     void rulesAndMaze_changeTheGame() throws IOException {
         execute("play", "games=5");
         String competition = scoreLine();

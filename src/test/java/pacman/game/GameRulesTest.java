@@ -5,7 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.StringReader;
+import java.util.List;
 import org.junit.jupiter.api.Test;
+import pacman.Executor;
+import pacman.controllers.examples.Legacy;
+import pacman.controllers.examples.StarterPacMan;
 import pacman.game.internal.Mazes;
 
 /** Rules check themselves and say what is wrong. */
@@ -32,7 +36,36 @@ class GameRulesTest {
                 .hasMessageStartingWith("preEatenPillPortion must be from 0 to 1, is 1.5");
         assertThatThrownBy(() -> GameRules.blended().with().initialMaze(4).build())
                 .hasMessageStartingWith("initialMaze must be from 0 to 3, is 4");
-        assertThatThrownBy(() -> GameRules.isolatedGhosts(0, null)).hasMessage("lairExitDatabase needs ghostLocations");
+        assertThatThrownBy(() -> GameRules.isolatedGhosts(0, null))
+                .hasMessageStartingWith("lairExitDatabase needs ghostLocations");
+        assertThatThrownBy(() -> GameRules.blended().with().lairTime(1).build())
+                .hasMessageStartingWith("lairTime must be from 2");
+        Mazes own = Mazes.of(List.of(Mazes.standard().get(0)));
+        assertThatThrownBy(() -> GameRules.isolatedGhosts(0, GameRecorder.ghostLocations())
+                        .with()
+                        .mazes(own)
+                        .build())
+                .hasMessageStartingWith("lairExitDatabase needs ghostLocations, which are recorded in the four mazes");
+        assertThatThrownBy(() -> GameRules.blended()
+                        .with()
+                        .mazes(own)
+                        .startingPowerPill(4)
+                        .build())
+                .hasMessage("startingPowerPill must be from -1 to 3, is 4");
+        assertThatThrownBy(() -> GameRules.blended().with().startingPowerPill(4).build())
+                .hasMessage("startingPowerPill must be from -1 to 3, is 4");
+    }
+
+    @Test
+    void shortestLairTime_isEnoughForEveryLevel() {
+        GameRules rules =
+                GameRules.competition().with().lairTime(2).levelTimeLimit(200).build();
+        Executor executor = new Executor();
+        for (long seed = 0; seed < 20; seed++) {
+            Game game = new Game(seed, rules);
+            executor.runExperiment(new StarterPacMan(), new Legacy(), game);
+            assertThat(game.gameOver()).isTrue();
+        }
     }
 
     @Test

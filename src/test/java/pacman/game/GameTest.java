@@ -15,11 +15,24 @@ import org.junit.jupiter.params.provider.CsvSource;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
+import pacman.game.internal.MazeTables;
+import pacman.game.internal.Mazes;
 
 /** Games by the rules of both frameworks: what copies, restarts, states and levels are. */
 class GameTest {
 
     private static final MOVE[] MOVES = MOVE.values();
+
+    private static final String DRAWING_WITHOUT_POWER_PILLS =
+            """
+            ############################
+            #............G.............#
+            #.##########.##.##########.#
+            #.##########.##.##########.#
+            #............P.............#
+            #############L##############
+            """
+                    + "############################\n".repeat(23);
 
     /** A random step: moves of all kinds, ghosts that come after her. */
     private static void play(Game game, ResumableRandom random) {
@@ -240,6 +253,79 @@ class GameTest {
         assertThatThrownBy(() -> game.setGameState(good.replace("1".repeat(220), "1".repeat(219))))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("the maze has 220 pills");
+        assertThatThrownBy(() -> game.setGameState(good.replace("978,LEFT", "1293,LEFT")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("1293");
+        assertThatThrownBy(() -> game.setGameState("4" + good.substring(1)))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void refusedState_changesNothing() {
+        for (GameRules rules : List.of(GameRules.competition(), GameRules.interleaved())) {
+            Game game = new Game(3, rules);
+            ResumableRandom random = new ResumableRandom(3);
+            for (int step = 0; step < 300; step++) {
+                play(game, random);
+            }
+            String before = game.getGameState();
+            String[] fields = new Game(9, rules).getGameState().split(",");
+            int mazeField = fields.length == 35 ? 0 : 20;
+            fields[mazeField] = "1";
+            assertThatThrownBy(() -> game.setGameState(String.join(",", fields)))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("the maze has 240 pills");
+            assertThat(game.getGameState()).isEqualTo(before);
+        }
+    }
+
+    @Test
+    void distanceQueries_refuseNodesThatAreNone() {
+        Game game = new Game(0);
+        int nodes = game.getNumberOfNodes();
+        int junction = game.getJunctionIndices()[0];
+        for (int node : new int[] {nodes, nodes + 5, 2 * nodes, -2, -5}) {
+            assertThatThrownBy(() -> game.getShortestPathDistance(node, 5))
+                    .isInstanceOf(ArrayIndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> game.getShortestPathDistance(5, node))
+                    .isInstanceOf(ArrayIndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> game.getShortestPathDistance(junction, node, MOVE.NEUTRAL))
+                    .isInstanceOf(ArrayIndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> game.getClosestNodeIndexFromNodeIndex(node, new int[] {5, 6}, DM.PATH))
+                    .isInstanceOf(ArrayIndexOutOfBoundsException.class);
+        }
+        assertThatThrownBy(() -> game.getShortestPathDistance(junction, -1, MOVE.NEUTRAL))
+                .isInstanceOf(ArrayIndexOutOfBoundsException.class);
+        assertThat(game.getShortestPathDistance(5, -1))
+                .as("the original's quirk")
+                .isZero();
+    }
+
+    @Test
+    void restart_ofAGameThatBeganInAnotherMaze_beginsThereAgain() {
+        Game game = new Game(0, 2);
+        game.restart(1);
+        assertThat(game.getGameState()).isEqualTo(new Game(1, 2).getGameState());
+        assertThatThrownBy(() -> new Game(0, 4)).isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void powerPillsBehindTheLastLevel_areThoseThatTheNextMazeHasToo() {
+        MazeTables first = Mazes.standard().get(0);
+        MazeTables none = MazeTables.parse("none", DRAWING_WITHOUT_POWER_PILLS);
+        GameRules rules = GameRules.mmneat()
+                .with()
+                .mazes(Mazes.of(List.of(first, none)))
+                .maximumLevel(1)
+                .levelTimeLimit(20)
+                .fatalTimeLimit(false)
+                .build();
+        Game game = new Game(0, rules);
+        while (!game.gameOver()) {
+            game.advanceGame(MOVE.LEFT, null);
+        }
+        assertThat(game.getNumberOfActivePowerPills()).isEqualTo(4);
+        assertThat(game.getActivePowerPillsIndices()).isEmpty();
     }
 
     /** Edible time, lair time and first lair times by level; spec/simulator.md, section 2.1. */

@@ -19,7 +19,12 @@ public final class RandomNonRevPacMan extends Controller<MOVE> implements ReadOn
 
     @Override
     public MOVE decide(Game game, ResumableRandom random) {
-        MOVE[] possible = game.getPossibleMoves(game.getPacmanCurrentNodeIndex(), game.getPacmanLastMoveMade());
+        int node = game.getPacmanCurrentNodeIndex();
+        MOVE[] possible = game.getPossibleMoves(node, game.getPacmanLastMoveMade());
+        if (possible == null) {
+            // She was put, as by a maze of one's own, where nothing leads that way.
+            possible = game.getPossibleMoves(node);
+        }
         return possible[random.nextInt(possible.length)];
     }
 }

@@ -146,8 +146,12 @@ public final class MazeGraph {
 
     private void check(MazeDrawing drawing) {
         for (int node = 0; node < lair(); node++) {
+            boolean atBorder = x[node] == 0 || x[node] == MazeDrawing.WIDTH - 1;
+            if (atBorder && (openDirections[node] & (1 << MOVE.UP.ordinal() | 1 << MOVE.DOWN.ordinal())) != 0) {
+                throw drawing.errorAtPixel(
+                        x[node], y[node], "corridor along the border: only tunnels, which run sideways, reach it");
+            }
             if (degree[node] < 2) {
-                boolean atBorder = x[node] == 0 || x[node] == MazeDrawing.WIDTH - 1;
                 throw drawing.errorAtPixel(
                         x[node],
                         y[node],

@@ -23,6 +23,7 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
+import pacman.game.GhostLocations;
 
 /** Whole games between the examples end as the original's do, whether or not they are given copies of the game. */
 class ExampleGamesTest {
@@ -141,5 +142,14 @@ class ExampleGamesTest {
             }
         }
         return games;
+    }
+
+    @Test
+    void randomNonReversing_goesAnywhere_whereNothingLeadsTheWayItLooks() {
+        Game game = new Game(0, GameRules.isolatedGhosts(1, GhostLocations.shipped()));
+        RandomNonRevPacMan pacMan = new RandomNonRevPacMan();
+        assertThat(game.getPossibleMoves(game.getPacmanCurrentNodeIndex(), game.getPacmanLastMoveMade()))
+                .isNull();
+        assertThat(game.getPossibleMoves(game.getPacmanCurrentNodeIndex())).contains(pacMan.getMove(game, -1));
     }
 }

@@ -156,6 +156,15 @@ class MazeDrawingTest {
     }
 
     @Test
+    void corridorAlongTheBorder_isNamed() {
+        List<String> rows = fifthMaze();
+        for (int row = 1; row <= 5; row++) {
+            rows.set(row, "." + rows.get(row).substring(1));
+        }
+        assertError(text(rows), "fifth.txt:2:1: row 2, column 0: corridor along the border: only tunnels");
+    }
+
+    @Test
     void unreachableCorridor_isNamed() {
         List<String> rows = fifthMaze();
         rows.set(20, "####....####################");
@@ -168,11 +177,11 @@ class MazeDrawingTest {
     void fieldWithHardlyAnyWalls_isTooMuchCorridor() {
         List<String> rows = new ArrayList<>();
         while (rows.size() < MazeDrawing.ROWS) {
-            rows.add(".".repeat(MazeDrawing.COLUMNS));
+            rows.add("#" + ".".repeat(MazeDrawing.COLUMNS - 2) + "#");
         }
-        rows.set(9, ".............G..............");
-        rows.set(12, "............#LL#............");
-        rows.set(20, ".............P..............");
+        rows.set(9, "#............G.............#");
+        rows.set(12, "#...........#LL#...........#");
+        rows.set(20, "#............P.............#");
         assertError(text(rows), "too much corridor: at most 4095 steps");
     }
 
