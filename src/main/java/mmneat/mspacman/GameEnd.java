@@ -9,5 +9,7 @@ public enum GameEnd {
     /** She asked for the end because the level took too long. */
     LEVEL_TIME_LIMIT,
     /** The time for the whole game was over. */
-    GAME_TIME_LIMIT
+    GAME_TIME_LIMIT,
+    /** A power pill was eaten at the wrong time, or its edible time ran out, where rules punish that. */
+    PUNISHED
 }

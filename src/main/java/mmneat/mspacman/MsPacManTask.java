@@ -15,6 +15,7 @@ import mmneat.random.ResumableRandom;
 import pacman.controllers.DirectGhosts;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.ReadOnlyController;
+import pacman.game.Constants;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
@@ -199,9 +200,10 @@ public final class MsPacManTask implements Task {
         if (game.getPacmanNumberOfLivesRemaining() <= 0) {
             return GameEnd.LOST_ALL_LIVES;
         }
-        return game.getCurrentLevel() >= game.rules().maximumLevel()
-                ? GameEnd.ALL_LEVELS_BEATEN
-                : GameEnd.GAME_TIME_LIMIT;
+        if (game.getCurrentLevel() >= game.rules().maximumLevel()) {
+            return GameEnd.ALL_LEVELS_BEATEN;
+        }
+        return game.getTotalTime() >= Constants.MAX_TIME ? GameEnd.GAME_TIME_LIMIT : GameEnd.PUNISHED;
     }
 
     private static Outcomes outcome(Game game, GameEnd end) {

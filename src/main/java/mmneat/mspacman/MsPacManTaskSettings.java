@@ -76,6 +76,11 @@ public record MsPacManTaskSettings(
         return new MsPacManTaskSettings(version, number, rules, sensors, division, arbitration, ghosts, deterministic);
     }
 
+    /** The same for single games, each of which follows from its generator alone. */
+    public MsPacManTaskSettings forSingleGames() {
+        return new MsPacManTaskSettings(version, 1, rules, sensors, division, arbitration, ghosts, false);
+    }
+
     /** The same with other rules of a full game. */
     public MsPacManTaskSettings withRules(GameRules ofFullGame) {
         return new MsPacManTaskSettings(

@@ -19,6 +19,8 @@ import org.junit.jupiter.api.Test;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
+import pacman.game.GameSwitches;
+import pacman.game.GhostLocations;
 
 class MsPacManTaskTest {
 
@@ -162,11 +164,21 @@ class MsPacManTaskTest {
     }
 
     @Test
-    void isolatedTrial_isAPillGameAndFourGhostGames() {
+    void isolatedTrial_isAPillGameAndFourGhostGames_andNeedsGhostLocations() {
         GameRules rules = GameRules.interleaved();
         List<TrialGame> blended = TrialGame.of(TaskVersion.BLENDED, rules);
-
         assertThat(blended).extracting(TrialGame::rules).containsExactly(rules);
+        List<TrialGame> isolated = TrialGame.of(
+                TaskVersion.ISOLATED,
+                MsPacManTaskSettings.isolated(GhostLocations.shipped()).rules());
+        assertThat(isolated).extracting(TrialGame::countsGhosts).containsExactly(false, true, true, true, true);
+        assertThat(isolated.get(0).rules().switches().withoutPowerPills()).isTrue();
+        assertThat(isolated.subList(1, 5))
+                .extracting(game -> game.rules().startingPowerPill())
+                .containsExactly(0, 1, 2, 3);
+        assertThat(isolated.subList(1, 5))
+                .extracting(game -> game.rules().switches())
+                .containsOnly(GameSwitches.GHOST_TASK);
         assertThatThrownBy(() -> TrialGame.of(TaskVersion.ISOLATED, rules))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("ghostLocations");

@@ -116,6 +116,7 @@ public final class EvaluationReport implements EvaluationObserver {
                     case LOST_ALL_LIVES -> "Lost All Lives";
                     case LEVEL_TIME_LIMIT -> "Level Time Limit Reached\n\nNULL Move = Special Termination Request";
                     case GAME_TIME_LIMIT -> "Time Limit Reached";
+                    case PUNISHED -> "Punished For Power Pill";
                 });
         line("");
         ModuleUse use = player.moduleUse();

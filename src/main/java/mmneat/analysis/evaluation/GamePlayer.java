@@ -30,7 +30,7 @@ final class GamePlayer implements EvaluationObserver {
     private ModuleUse use;
 
     GamePlayer(MsPacManTaskSettings settings, Genotype genotype) {
-        task = new MsPacManTask(settings.withTrials(1));
+        task = new MsPacManTask(settings.forSingleGames());
         this.genotype = genotype;
     }
 

@@ -62,7 +62,7 @@ public final class GameGif implements EvaluationObserver {
      */
     public static int write(MsPacManTaskSettings settings, Genotype genotype, long seed, OutputStream out)
             throws IOException {
-        MsPacManTask task = new MsPacManTask(settings.withTrials(1));
+        MsPacManTask task = new MsPacManTask(settings.forSingleGames());
         long steps =
                 task.evaluate(genotype, new ResumableRandom(seed)).outcomes().steps();
         int stepsPerFrame = (int) Math.max(FEWEST_STEPS_PER_FRAME, 1 + steps / MOST_FRAMES);

@@ -52,7 +52,7 @@ public final class GameRecording implements EvaluationObserver {
 
     /** As above; of games that would take more data, sensors and activations are kept every second, fourth, ... step only. */
     static Replay record(MsPacManTaskSettings settings, Genotype genotype, long seed, ReplayTitle title, int mostData) {
-        MsPacManTask task = new MsPacManTask(settings.withTrials(1));
+        MsPacManTask task = new MsPacManTask(settings.forSingleGames());
         for (int detailEvery = 1; ; detailEvery *= 2) {
             GameRecording recording = new GameRecording(settings, genotype, detailEvery);
             task.evaluate(genotype, new ResumableRandom(seed), recording);
@@ -130,6 +130,7 @@ public final class GameRecording implements EvaluationObserver {
                         "Caught" + catcher(game).map(g -> " by " + g).orElse("");
                     case LEVEL_TIME_LIMIT -> "Time for the maze is over";
                     case GAME_TIME_LIMIT -> "Time for the game is over";
+                    case PUNISHED -> "Over for a power pill";
                 };
         return what + " · " + String.format(java.util.Locale.ROOT, "%,d points", game.getScore());
     }

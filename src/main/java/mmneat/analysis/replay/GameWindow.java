@@ -33,7 +33,7 @@ public final class GameWindow implements EvaluationObserver {
      */
     public static int show(MsPacManTaskSettings settings, Genotype genotype, long seed, int millisecondsPerStep) {
         GameWindow window = new GameWindow(millisecondsPerStep);
-        new MsPacManTask(settings.withTrials(1)).evaluate(genotype, new ResumableRandom(seed), window);
+        new MsPacManTask(settings.forSingleGames()).evaluate(genotype, new ResumableRandom(seed), window);
         return window.score;
     }
 

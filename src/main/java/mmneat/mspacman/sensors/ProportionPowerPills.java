@@ -1,6 +1,6 @@
 package mmneat.mspacman.sensors;
 
-/** "Proportion Power Pills": power pills left / power pills of the maze, in [0, 1]. */
+/** "Proportion Power Pills": power pills left / power pills of the maze, in [0, 1]; 0 in a maze without any. */
 record ProportionPowerPills() implements Sensor {
 
     @Override
@@ -15,6 +15,7 @@ record ProportionPowerPills() implements Sensor {
 
     @Override
     public double sense(Situation situation) {
-        return (double) situation.powerPillsLeft() / situation.powerPillsOfMaze();
+        // A drawn maze may have none.
+        return (double) situation.powerPillsLeft() / Math.max(1, situation.powerPillsOfMaze());
     }
 }

@@ -68,6 +68,29 @@ class ChampionEvaluatorTest {
     }
 
     @Test
+    void gamesOfARunWithFixedSeeds_differAllTheSame() throws Exception {
+        evaluate(Rules.TRAINING, 20, 1);
+        String table = table();
+        Files.delete(run.resolve("evaluation-training.csv"));
+        Files.writeString(
+                run.resolve("parameters.properties"), "task=blended\nmethod=2M\nrunNumber=0\ndeterministic=true\n");
+        evaluate(Rules.TRAINING, 20, 1);
+        assertThat(table()).isEqualTo(table);
+    }
+
+    @Test
+    void gamesThatARuleOfPowerPillsEnds_areTold() throws Exception {
+        Files.writeString(
+                run.resolve("parameters.properties"),
+                "task=blended\nmethod=2M\nrunNumber=0\ndieOnImproperPowerPillEating=true\n");
+        Files.writeString(
+                run.resolve("champion.json"),
+                GenotypeJson.write(ShippedChampions.read("blended").genotype()));
+        evaluate(Rules.TRAINING, 40, 2);
+        assertThat(table()).contains(",PUNISHED,", ",LOST_ALL_LIVES,").doesNotContain("GAME_TIME_LIMIT");
+    }
+
+    @Test
     void tableThatAnotherEvaluationWrites_isRefused_andLeftAlone() throws Exception {
         evaluate(Rules.TRAINING, 3, 1);
         String table = table();

@@ -48,4 +48,8 @@ final class DrawnMaze {
     static MazeTables maze() {
         return MazeTables.parse("drawn", DRAWING);
     }
+
+    static MazeTables withoutPowerPills() {
+        return MazeTables.parse("drawn without power pills", DRAWING.replaceAll("o(?=[#.o]*#\n)", "."));
+    }
 }

@@ -45,7 +45,8 @@ final class ReferenceSensors {
         }
         inputs.add(mostOnWalks(d, node -> state.isPillActive(graph.pillNumber(node))) / 8.0);
         inputs.add(mostOnWalks(d, graph::isJunction) / 5.0);
-        inputs.add((double) state.activePowerPillNodes(graph).size() / graph.powerPillCount());
+        int powerPills = state.activePowerPillNodes(graph).size();
+        inputs.add(powerPills == 0 ? 0.0 : (double) powerPills / graph.powerPillCount());
         inputs.add((double) state.activePillNodes(graph).size() / graph.pillCount());
         inputs.add(IntStream.of(state.edible).filter(time -> time > 0).count() / 4.0);
         inputs.add(IntStream.of(state.edible).max().orElseThrow() / 200.0);
