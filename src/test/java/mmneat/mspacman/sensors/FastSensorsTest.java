@@ -3,6 +3,7 @@ package mmneat.mspacman.sensors;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,17 +25,31 @@ class FastSensorsTest {
     @ParameterizedTest
     @MethodSource("mazes")
     void fastSensors_equalSearchingOnes_inRandomStates(MazeTables maze) {
+        compare(maze, SensorSettings.blended(), STATES_PER_MAZE);
+    }
+
+    /** Settings with which all sensors are asked one by one. */
+    @ParameterizedTest
+    @MethodSource("mazes")
+    void sensorsThatThePublishedExperimentsLeaveOut_equalSearchingOnes_inRandomStates(MazeTables maze) {
+        compare(
+                maze,
+                new SensorSettings(3, true, true, true, true, true, true, 30, true, 200, 10, true, List.of()),
+                STATES_PER_MAZE / 10);
+    }
+
+    private static void compare(MazeTables maze, SensorSettings settings, int states) {
         ResumableRandom random = new ResumableRandom(maze.graph().nodeCount());
-        SensorSuite suite = SensorSuite.of(SensorSettings.blended());
+        SensorSuite suite = SensorSuite.of(settings);
         SensorTables tables = suite.tables(maze);
         Senses senses = suite.newSenses();
-        for (int i = 0; i < STATES_PER_MAZE; i++) {
+        for (int i = 0; i < states; i++) {
             RandomState state = new RandomState(maze.graph(), random);
             ReferenceSensors reference = new ReferenceSensors(maze, state);
             state.show(senses, tables);
             for (int d = 0; d < 4; d++) {
                 if (senses.situation().isOpen(d)) {
-                    double[] expected = reference.inputs(d);
+                    double[] expected = reference.inputs(d, settings);
                     double[] inputs = senses.inputs(d);
                     if (!Arrays.equals(inputs, expected)) {
                         assertThat(inputs)

@@ -11,7 +11,7 @@ import pacman.game.internal.MazePaths;
 import pacman.game.internal.MazeTables;
 
 /**
- * The published sensors in their plainest form: searching, listing and comparing whole paths, as spec/mspacman-task.md says
+ * The sensors in their plainest form: searching, listing and comparing whole paths, as spec/mspacman-task.md says
  * it in section 4. Slow, and without any of the tables of the fast form.
  */
 final class ReferenceSensors {
@@ -28,23 +28,29 @@ final class ReferenceSensors {
         distances = maze.distances();
     }
 
-    /** All 30 inputs of the blended version. */
-    double[] inputs(int d) {
+    /** All inputs in a direction; published sensors that can be left out are there. */
+    double[] inputs(int d, SensorSettings settings) {
         List<Double> inputs = new ArrayList<>();
         inputs.add(1.0);
         inputs.add(scaled(nearestLength(state.activePillNodes(graph), d)));
         inputs.add(scaled(nearestLength(state.activePowerPillNodes(graph), d)));
-        inputs.add(scaled(nearestLength(junctions(), d)));
+        junctions().stream()
+                .map(junction -> pathLength(state.pacMan, junction, d))
+                .sorted()
+                .limit(settings.junctionsToSense())
+                .forEach(length -> inputs.add(scaled(length)));
+        for (int ghost = 0; ghost < 4 && settings.specific(); ghost++) {
+            boolean isOutside = state.lair[ghost] == 0;
+            inputs.add(isOutside ? ghostDistance(ghost, d) : 1.0);
+            inputs.add(flag(isOutside && isApproaching(ghost, d)));
+        }
         List<Integer> order = ghostsByDistance(d);
         for (int n = 0; n < 4; n++) {
-            boolean exists = n < order.size();
-            inputs.add(exists ? scaled(path(state.pacMan, state.ghostNode[order.get(n)], d).length) : 1.0);
-            inputs.add(exists && isApproaching(order.get(n), d) ? 1.0 : 0.0);
-            inputs.add(exists && isTrapped(order.get(n), d) ? 1.0 : 0.0);
-            inputs.add(exists && state.edible[order.get(n)] > 0 ? 1.0 : 0.0);
+            addNthGhost(n < order.size() ? order.get(n) : -1, d, settings, inputs);
         }
-        inputs.add(mostOnWalks(d, node -> state.isPillActive(graph.pillNumber(node))) / 8.0);
-        inputs.add(mostOnWalks(d, graph::isJunction) / 5.0);
+        int depth = settings.smallStepSimDepth();
+        inputs.add(mostOnWalks(d, depth, node -> state.isPillActive(graph.pillNumber(node))) / 8.0);
+        inputs.add(mostOnWalks(d, depth, graph::isJunction) / 5.0);
         int powerPills = state.activePowerPillNodes(graph).size();
         inputs.add(powerPills == 0 ? 0.0 : (double) powerPills / graph.powerPillCount());
         inputs.add((double) state.activePillNodes(graph).size() / graph.pillCount());
@@ -58,6 +64,37 @@ final class ReferenceSensors {
                         : 0.0);
         inputs.add(options(d) / 4.0);
         return inputs.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    /** @param ghost -1 if there are not so many outside the lair */
+    private void addNthGhost(int ghost, int d, SensorSettings settings, List<Double> inputs) {
+        boolean exists = ghost >= 0;
+        boolean isEdible = exists && state.edible[ghost] > 0;
+        inputs.add(exists ? ghostDistance(ghost, d) : 1.0);
+        inputs.add(flag(exists && isApproaching(ghost, d)));
+        inputs.add(flag(exists && isTrapped(ghost, d)));
+        if (settings.eTimeVsGDis()) {
+            int spare = isEdible ? state.edible[ghost] - path(state.pacMan, state.ghostNode[ghost], d).length : 0;
+            inputs.add(Math.max(-1.0, Math.min(1.0, spare / 200.0)));
+        }
+        inputs.add(flag(isEdible));
+        if (settings.specificGhostEdibleThreatSplit()) {
+            boolean isThreat = exists && !isEdible;
+            inputs.add(isThreat ? ghostDistance(ghost, d) : 1.0);
+            inputs.add(isEdible ? ghostDistance(ghost, d) : 1.0);
+            inputs.add(flag(isThreat && isApproaching(ghost, d)));
+            inputs.add(flag(isEdible && isApproaching(ghost, d)));
+            inputs.add(flag(isThreat && isTrapped(ghost, d)));
+            inputs.add(flag(isEdible && isTrapped(ghost, d)));
+        }
+    }
+
+    private double ghostDistance(int ghost, int d) {
+        return scaled(path(state.pacMan, state.ghostNode[ghost], d).length);
+    }
+
+    private static double flag(boolean holds) {
+        return holds ? 1.0 : 0.0;
     }
 
     private static double scaled(int steps) {
@@ -159,10 +196,10 @@ final class ReferenceSensors {
         return true;
     }
 
-    private int mostOnWalks(int d, IntPredicate counts) {
+    private int mostOnWalks(int d, int depth, IntPredicate counts) {
         boolean[] seen = new boolean[graph.nodeCount()];
         seen[state.pacMan] = true;
-        return mostOnWalks(graph.neighbour(state.pacMan, d), d, 30, counts, seen);
+        return mostOnWalks(graph.neighbour(state.pacMan, d), d, depth, counts, seen);
     }
 
     private int mostOnWalks(int node, int move, int steps, IntPredicate counts, boolean[] seen) {
