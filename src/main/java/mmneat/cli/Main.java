@@ -7,6 +7,7 @@ import java.nio.file.InvalidPathException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import mmneat.experiment.FileTrouble;
 import mmneat.experiment.NearestName;
@@ -49,6 +50,8 @@ import picocli.CommandLine.Spec;
         })
 public final class Main implements Callable<Integer> {
 
+    private static final Set<String> MAY_OPEN_A_WINDOW = Set.of("play", "replay", "watch");
+
     @Spec
     private CommandSpec command;
 
@@ -56,6 +59,9 @@ public final class Main implements Callable<Integer> {
     private List<String> words = new ArrayList<>();
 
     public static void main(String[] arguments) {
+        if (arguments.length == 0 || !MAY_OPEN_A_WINDOW.contains(arguments[0])) {
+            Display.drawWithoutScreen();
+        }
         System.exit(commandLine().execute(arguments));
     }
 

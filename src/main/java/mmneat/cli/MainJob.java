@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import mmneat.analysis.evaluation.Champion;
 import mmneat.experiment.Experiment;
 import mmneat.experiment.ExperimentPlan;
 import mmneat.experiment.ParameterCatalogue;
@@ -97,12 +98,14 @@ final class MainJob implements Callable<Integer> {
             out.println();
             out.println("Learning curve: " + curve.get() + " (and .png)");
             out.println("To look further:");
-            if (TaskKind.of(plan.parameters()) != TaskKind.OWN) {
+            boolean hasChampion = Champion.isIn(best.get());
+            if (hasChampion && TaskKind.of(plan.parameters()) != TaskKind.OWN) {
                 out.println("  " + ThisProgram.command("watch", best.get().toString()));
             }
-            out.println("  "
-                    + ThisProgram.command(
-                            "network", best.get().resolve("champion.json").toString()));
+            if (hasChampion) {
+                String network = best.get().resolve("champion.json").toString();
+                out.println("  " + ThisProgram.command("network", network));
+            }
             out.println("  " + ThisProgram.command("status", plan.base().toString()));
             out.println("  " + ThisProgram.command("compare", plan.base().toString()));
             out.flush();

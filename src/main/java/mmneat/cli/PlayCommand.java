@@ -1,6 +1,5 @@
 package mmneat.cli;
 
-import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -126,7 +125,7 @@ final class PlayCommand extends WordCommand implements Runnable {
             seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
             timed = words.flag("timed", false);
             boolean wantsView = words.flag("view", false);
-            view = wantsView && !GraphicsEnvironment.isHeadless();
+            view = wantsView && Display.isThere();
             if (wantsView && !view) {
                 notes.println("mmneat: there is no display, so the games are not shown");
             }

@@ -47,8 +47,9 @@ final class ProcessCommand implements Runnable {
                 .map(RunPlan::number)
                 .toList();
         if (begun.isEmpty()) {
-            throw new UserError(plan.runs().get(0).directory()
-                    + ": no run has completed a generation; give the words that the runs were made with");
+            throw new UserError(
+                    plan.runs().get(0).directory()
+                            + ": no run has the logs of a complete generation (io=false writes none); give the words that the runs were made with");
         }
         String saveTo = plan.parameters().text("saveTo");
         new RunSummaries(

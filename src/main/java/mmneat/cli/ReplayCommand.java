@@ -1,6 +1,5 @@
 package mmneat.cli;
 
-import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -44,7 +43,7 @@ final class ReplayCommand extends WordCommand implements Runnable {
         Path file = Path.of(words.plain().get(0));
         int delay = words.integer("delay", Constants.DELAY, 0, LONGEST_DELAY_MILLISECONDS);
         boolean wantsView = words.flag("view", true);
-        boolean view = wantsView && !GraphicsEnvironment.isHeadless();
+        boolean view = wantsView && Display.isThere();
         try {
             Recording recording = Recording.load(file);
             if (wantsView && !view) {
@@ -58,7 +57,12 @@ final class ReplayCommand extends WordCommand implements Runnable {
         } catch (IOException e) {
             throw new UserError("cannot read " + file + ": " + FileTrouble.reason(e), e);
         } catch (IllegalArgumentException e) {
-            throw new UserError(file + ": " + e.getMessage(), e);
+            throw new UserError(
+                    file + ": " + e.getMessage()
+                            + (e.getMessage().contains("these mazes") && !words.has("maze")
+                                    ? "; a game in a maze of your own needs the same maze=FILE"
+                                    : ""),
+                    e);
         }
     }
 }

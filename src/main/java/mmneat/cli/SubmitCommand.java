@@ -82,11 +82,23 @@ final class SubmitCommand extends WordCommand implements Callable<Integer> {
                 .collect(Collectors.partitioningBy(word -> names.contains(word.split("[=:]", 2)[0])));
         Words own = Words.parse(split.get(true), names);
         String engine = own.choice("engine", "local", ENGINES);
+        requireEffects(own, engine);
         Study study = Study.of(split.get(false), ParameterCatalogue.load());
         PrintWriter errors = notes();
         study.remarks().forEach(remark -> errors.println("mmneat: " + remark));
         errors.flush();
         return engine.equals("local") ? runHere(study) : handOver(study, engine, own);
+    }
+
+    private static void requireEffects(Words own, String engine) {
+        for (String name : List.of("cpus", "memory", "time", "java")) {
+            own.requireEffect(name, !engine.equals("local"), "engine=local asks nobody for it");
+        }
+        for (String name : List.of("image", "claim")) {
+            own.requireEffect(name, engine.equals("kubernetes"), "it is for engine=kubernetes");
+        }
+        own.requireEffect("dryRun", engine.equals("slurm"), "only engine=slurm submits by itself");
+        SLURM_OPTIONS.forEach(name -> own.requireEffect(name, engine.equals("slurm"), "it is for engine=slurm"));
     }
 
     /** The present behaviour of the main job, one experiment after the other. */

@@ -1,6 +1,5 @@
 package mmneat.cli;
 
-import java.awt.GraphicsEnvironment;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -45,8 +44,8 @@ final class WatchCommand extends WordCommand implements Runnable {
                 new Word(
                         "out",
                         "FILE",
-                        "the page to write, or an animated picture if it ends in .gif (default: the network's name with .html, in"
-                                + " this folder)"),
+                        "the page to write, or an animated picture if it ends in .gif (default: the task's and the"
+                                + " network's name with .html, in this folder)"),
                 new Word("window", "true", "shows the game in a window instead of writing it (default false)"),
                 new Word("delay", "40", "milliseconds per step in the window (default 40)"),
                 new Word("seed", "0", "which game: the same seed gives the same game (default 0)"),
@@ -62,13 +61,16 @@ final class WatchCommand extends WordCommand implements Runnable {
         Rules rules = ChampionWords.rules(words);
         long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         MsPacManTaskSettings settings = ChampionWords.settings(words, champion, rules);
-        Path out = words.path("out").orElse(Path.of(champion.name() + ".html"));
+        Path out = words.path("out").orElse(Path.of(pageName(champion, settings) + ".html"));
         String name = out.toString().toLowerCase(Locale.ROOT);
         if (!name.matches(".*\\.(html?|gif)")) {
             throw new UserError("out=" + out + ": must end in .html (a page) or .gif (an animated picture)");
         }
         boolean window = words.flag("window", false);
         words.requireEffect("delay", window, "pages and pictures have their own speed (delay= goes with window=true)");
+        if (!window) {
+            Display.drawWithoutScreen();
+        }
         if (window) {
             showWindow(words, champion, settings, seed);
         } else if (name.endsWith(".gif")) {
@@ -79,12 +81,18 @@ final class WatchCommand extends WordCommand implements Runnable {
         out().flush();
     }
 
+    /** Runs of different tasks have the same names. */
+    private static String pageName(Champion champion, MsPacManTaskSettings settings) {
+        String version = settings.version().name().toLowerCase(Locale.ROOT);
+        return champion.runFolder().isPresent() ? version + "-" + champion.name() : champion.name();
+    }
+
     private void showWindow(Words words, Champion champion, MsPacManTaskSettings settings, long seed) {
         int delay = words.integer("delay", Constants.DELAY, 0, LONGEST_DELAY_MILLISECONDS);
         if (words.has("out")) {
             throw new UserError("window=true shows the game and writes no file; leave out either window= or out=");
         }
-        if (GraphicsEnvironment.isHeadless()) {
+        if (!Display.isThere()) {
             throw new UserError("window=true needs a display, and there is none; write out=game.html or out=game.gif");
         }
         int score = GameWindow.show(settings, champion.genotype(), seed, delay);

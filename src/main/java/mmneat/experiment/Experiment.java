@@ -1,6 +1,8 @@
 package mmneat.experiment;
 
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -60,6 +62,19 @@ public final class Experiment {
         new Experiment(plan);
     }
 
+    private void requireFolder() {
+        Path base = plan.base();
+        try {
+            DurableFiles.makeFolder(base);
+        } catch (IOException e) {
+            throw new UserError(base + ": cannot be made: " + FileTrouble.sentence(e), e);
+        }
+        boolean isNew = plan.runs().stream().anyMatch(run -> !Files.exists(run.directory()));
+        if (isNew && !Files.isWritable(base)) {
+            throw new UserError(base + ": permission denied; choose another folder with base=FOLDER");
+        }
+    }
+
     private static void requireSameParameters(RunPlan run) {
         RunParametersFile file = new RunParametersFile(run.directory());
         try {
@@ -90,9 +105,11 @@ public final class Experiment {
      * Does all runs.
      *
      * @return how each ended, in the plan's order
+     * @throws UserError if nothing can be written where the runs go
      * @throws InterruptedException if the calling thread is interrupted; the runs are then stopped
      */
     public List<RunOutcome> run() throws InterruptedException {
+        requireFolder();
         if (plan.runs().size() > 1) {
             recordAsked();
         }

@@ -91,7 +91,7 @@ public final class ParameterReader {
     private Map<String, String> file(String name) {
         Map<String, String> layer;
         try {
-            String text = text(name, Files.readAllBytes(Path.of(name)));
+            String text = text(Files.readAllBytes(Path.of(name)));
             List<String> lines = text.lines().filter(line -> !line.isBlank()).toList();
             layer = !lines.isEmpty()
                             && lines.stream()
@@ -99,11 +99,9 @@ public final class ParameterReader {
                                             line -> ORIGINAL_LINE.matcher(line).matches())
                     ? savedByOriginal(lines)
                     : PublishedConfigurations.read(new StringReader(text));
+            Parameters.defaults(catalogue).with(layer);
         } catch (IOException e) {
             throw new UserError("config=" + name + ": cannot be read: " + FileTrouble.reason(e), e);
-        }
-        try {
-            Parameters.defaults(catalogue).with(layer);
         } catch (UserError e) {
             throw new UserError(name + ": " + e.getMessage(), e);
         }
@@ -115,7 +113,7 @@ public final class ParameterReader {
     }
 
     /** What a file says, in UTF-8, with or without the mark that some editors put first. */
-    private static String text(String file, byte[] bytes) {
+    private static String text(byte[] bytes) {
         ByteBuffer read = ByteBuffer.wrap(bytes);
         CharBuffer text = CharBuffer.allocate(bytes.length);
         if (StandardCharsets.UTF_8.newDecoder().decode(read, text, true).isError()) {
@@ -123,7 +121,7 @@ public final class ParameterReader {
                     + IntStream.range(0, read.position())
                             .filter(i -> bytes[i] == '\n')
                             .count();
-            throw new UserError("config=" + file + ", line " + line + ": is not UTF-8; save the file in UTF-8");
+            throw new UserError("line " + line + " is not UTF-8; save the file in UTF-8");
         }
         return text.flip().toString().replaceFirst("^\uFEFF", "");
     }

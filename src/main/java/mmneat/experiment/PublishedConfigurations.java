@@ -1,8 +1,5 @@
 package mmneat.experiment;
 
-import com.fasterxml.jackson.core.type.TypeReference;
-import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
-import com.fasterxml.jackson.dataformat.javaprop.JavaPropsSchema;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -12,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Properties;
 import java.util.TreeMap;
 
 /**
@@ -74,11 +72,24 @@ public final class PublishedConfigurations {
         };
     }
 
-    /** Reads Java's properties syntax; names are taken whole, dots included. */
+    /**
+     * Reads Java's properties syntax; names are taken whole, dots included.
+     *
+     * @throws UserError if a name stands there twice
+     */
     static Map<String, String> read(Reader reader) throws IOException {
-        return new TreeMap<>(new JavaPropsMapper()
-                .readerFor(new TypeReference<Map<String, String>>() {})
-                .with(JavaPropsSchema.emptySchema().withoutPathSeparator())
-                .<Map<String, String>>readValue(reader));
+        Map<String, String> values = new TreeMap<>();
+        new Properties() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            public synchronized Object put(Object name, Object value) {
+                if (values.put((String) name, (String) value) != null) {
+                    throw new UserError("'" + name + "' is given twice; give it once");
+                }
+                return null;
+            }
+        }.load(reader);
+        return values;
     }
 }

@@ -2,7 +2,6 @@ package mmneat.experiment;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.FileSystemException;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -178,11 +177,8 @@ final class RunWorker {
     }
 
     private String fileMessage(Exception e) {
-        Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
-        String what = cause instanceof FileSystemException fileSystem && fileSystem.getReason() == null
-                ? cause.getClass().getSimpleName() + ": " + cause.getMessage()
-                : String.valueOf(cause.getMessage());
-        return "cannot write or read in " + run.directory() + ": " + what
+        IOException cause = e instanceof UncheckedIOException unchecked ? unchecked.getCause() : (IOException) e;
+        return "cannot write or read in " + run.directory() + ": " + FileTrouble.sentence(cause)
                 + "; what was complete is kept: mend it and give the same command again";
     }
 }

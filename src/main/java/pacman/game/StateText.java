@@ -23,6 +23,7 @@ final class StateText {
 
     private static final int SHORT = 35;
     private static final int LONG = 56;
+    private static final int LONGEST_SHOWN = 80;
     /**
      * What each field is: an int, a long (L), a double, a boolean, a move, a node, the maze, its pills (P) or its power pills (Q).
      */
@@ -112,14 +113,19 @@ final class StateText {
         String[] fields = text.trim().split(",", -1);
         if (fields.length != SHORT && fields.length != LONG) {
             throw new IllegalArgumentException("a game state has " + LONG + " fields, or " + SHORT
-                    + " in the competition's form, this one has " + fields.length + ": " + text);
+                    + " in the competition's form, this one has " + fields.length + ": " + shortened(text));
         }
         try {
             new StateText(fields).requireAll(state);
             new StateText(fields).read(state);
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
-            throw new IllegalArgumentException("not a game state (" + e.getMessage() + "): " + text, e);
+            throw new IllegalArgumentException(
+                    "not a state of a game in these mazes (" + e.getMessage() + "): " + shortened(text), e);
         }
+    }
+
+    private static String shortened(String text) {
+        return text.length() <= LONGEST_SHOWN ? text : text.substring(0, LONGEST_SHOWN) + "...";
     }
 
     /** Makes sure that every field can be read before any is. */

@@ -85,9 +85,16 @@ class ParameterReaderTest {
     void fileInAnotherEncoding_saysWhichLine(@TempDir Path folder) throws IOException {
         Path config = folder.resolve("mine.properties");
         Files.writeString(config, "task=blended\nmu=3\n# für uns\n", StandardCharsets.ISO_8859_1);
-        assertMistake("mine.properties, line 3: is not UTF-8", "config=" + config);
+        assertMistake("mine.properties: line 3 is not UTF-8", "config=" + config);
         Files.writeString(config, "\uFEFFtask=blended\nmu=3\n# für uns\n");
         assertThat(read("config=" + config).integer("mu")).isEqualTo(3);
+    }
+
+    @Test
+    void parameterTwiceInAFile_isAMistake(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "task=blended\nmu=3\nmu=4\n");
+        assertMistake("mine.properties: 'mu' is given twice", "config=" + config);
     }
 
     @Test

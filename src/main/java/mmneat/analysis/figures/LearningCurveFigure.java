@@ -6,8 +6,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.IntStream;
 import mmneat.analysis.results.Experiment;
+import mmneat.analysis.results.MethodName;
 import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.statistics.Sample;
 
@@ -36,25 +38,27 @@ public final class LearningCurveFigure {
             }
         }
         double[] ends = new double[experiments.size()];
+        List<String> names = names(experiments);
         List<Key> keys = new ArrayList<>();
         for (int i = 0; i < experiments.size(); i++) {
             MethodStyle style = MethodStyle.of(experiments.get(i).method(), i);
             double[] medians = quantiles(experiments.get(i), 0.5);
             panel.curve(medians, style.color(), style.stroke(2.2f));
             ends[i] = medians[medians.length - 1];
-            keys.add(new Key(experiments.get(i).label(), Key.Sign.LINE, style.color(), style.stroke(2.2f)));
+            keys.add(new Key(names.get(i), Key.Sign.LINE, style.color(), style.stroke(2.2f)));
         }
         if (published) {
             keys.add(new Key("the paper's", Key.Sign.LINE, MethodStyle.PAPER, new BasicStroke(1.3f)));
         }
         double bottom = bottom(panel.low(), panel.high());
-        panel.range(0, Math.max(1, last) * 1.09, bottom, ceiling(panel.high()));
+        int longest = names.stream().mapToInt(String::length).max().orElse(0);
+        panel.range(0, Math.max(1, last) * (1.03 + 0.0125 * longest), bottom, ceiling(panel.high()));
         double[] places = apart(ends, (ceiling(panel.high()) - bottom) / 25);
         for (int i = 0; i < ends.length; i++) {
             Experiment experiment = experiments.get(i);
             panel.label(
-                    experiment.label(),
-                    experiment.generations() + Math.max(1, last) * 0.012,
+                    names.get(i),
+                    last + Math.max(1, last) * 0.012,
                     places[i],
                     MethodStyle.of(experiment.method(), i).color());
         }
@@ -105,6 +109,16 @@ public final class LearningCurveFigure {
                 keys);
     }
 
+    /** What stands beside the curves: the methods, where these tell them apart. */
+    private static List<String> names(List<Experiment> experiments) {
+        List<String> methods = experiments.stream()
+                .map(experiment -> MethodName.paper(experiment.method()))
+                .toList();
+        return Set.copyOf(methods).size() == methods.size()
+                ? methods
+                : experiments.stream().map(Experiment::label).toList();
+    }
+
     static String prefix(String version) {
         return version.isEmpty() ? "" : version + "-";
     }
@@ -139,8 +153,13 @@ public final class LearningCurveFigure {
         return low > high / 2 ? 1000 * Math.floor(low / 1000) : Math.min(0, low);
     }
 
+    /** The next thousand; for small scores the next number of two digits. */
     private static double ceiling(double value) {
-        return value > 1000 ? 1000 * Math.ceil(value / 1000) : Math.ceil(value);
+        if (value > 1000) {
+            return 1000 * Math.ceil(value / 1000);
+        }
+        double unit = value <= 0 ? 1 : Math.pow(10, Math.floor(Math.log10(value)));
+        return unit / 10 * Math.ceil(10 * value / unit);
     }
 
     private static int lastGeneration(List<Experiment> experiments) {

@@ -10,6 +10,7 @@ import java.util.List;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.AxesChartStyler;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
@@ -27,6 +28,9 @@ final class Panel {
     private record Label(String text, double x, double y, Color color) {}
 
     private static final MethodStyle INVISIBLE = new MethodStyle(Color.WHITE, new float[] {}, SeriesMarkers.NONE);
+    /** How far an axis goes beyond what is shown, as a share of it. */
+    private static final double END_OF_AXIS = 0.004;
+
     private static final Font LABEL_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 12);
 
     private final XYChart chart;
@@ -56,7 +60,7 @@ final class Panel {
         style.setAxisTickMarksColor(new Color(0x80, 0x86, 0x92));
         style.setLegendVisible(false);
         style.setXAxisDecimalPattern("#,##0");
-        style.setYAxisDecimalPattern("#,##0");
+        style.setYAxisLabelAlignment(AxesChartStyler.TextAlignment.Right);
         style.setLocale(java.util.Locale.ROOT);
         style.setToolTipsEnabled(false);
         style.setPlotContentSize(1.0);
@@ -119,8 +123,18 @@ final class Panel {
             // XChart draws axes for its own series only, and ticks only if these have many values.
             points("axes", between(left, right), between(bottom, top), INVISIBLE);
         }
-        chart.getStyler().setXAxisMin(left).setXAxisMax(right);
-        chart.getStyler().setYAxisMin(bottom).setYAxisMax(top);
+        // XChart labels no tick at the very end of an axis.
+        double across = END_OF_AXIS * (right - left);
+        double along = END_OF_AXIS * (top - bottom);
+        chart.getStyler().setXAxisMin(left - across).setXAxisMax(right + across);
+        chart.getStyler().setYAxisMin(bottom - along).setYAxisMax(top + along);
+        chart.getStyler().setYAxisDecimalPattern(pattern(top - bottom));
+    }
+
+    /** As many decimals as tell a tenth of the range apart. */
+    private static String pattern(double range) {
+        int decimals = range > 0 ? (int) Math.max(0, Math.ceil(1 - Math.log10(range))) : 0;
+        return decimals == 0 ? "#,##0" : "#,##0." + "0".repeat(decimals);
     }
 
     void paint(Graphics2D graphics, int width, int height) {

@@ -29,7 +29,7 @@ public final class GameWindow implements EvaluationObserver {
      * Plays one trial; needs a display.
      *
      * @param seed of the trial's generator: the same seed gives the same games
-     * @return points of the last game
+     * @return points of all its games
      */
     public static int show(MsPacManTaskSettings settings, Genotype genotype, long seed, int millisecondsPerStep) {
         GameWindow window = new GameWindow(millisecondsPerStep);
@@ -56,7 +56,7 @@ public final class GameWindow implements EvaluationObserver {
 
     @Override
     public void gameOver(TrialGame setting, Game game, GameEnd end, DirectionEvaluator player) {
-        score = game.getScore();
+        score += game.getScore();
         pause(LAST_LOOK_MILLISECONDS);
         view.getFrame().dispose();
     }

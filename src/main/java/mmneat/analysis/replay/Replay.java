@@ -34,7 +34,8 @@ public final class Replay {
             ReplayNetwork network,
             List<Column> columns) {
         this.title = title;
-        this.steps = steps - 1;
+        // The last state of each game is the end of its last step, and no step of its own.
+        this.steps = steps - Math.max(1, outcomes.size());
         this.finalScore = finalScore;
         header.put("heading", title.heading());
         header.put("subtitle", title.subtitle());

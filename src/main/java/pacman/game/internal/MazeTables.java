@@ -54,7 +54,8 @@ public final class MazeTables {
      * @throws IOException if the file cannot be read
      */
     public static MazeTables read(Path file) throws IOException {
-        return parse(file.toString(), Files.readString(file));
+        // Some editors put a mark in front of texts in UTF-8.
+        return parse(file.toString(), Files.readString(file).replaceFirst("^\uFEFF", ""));
     }
 
     /**
