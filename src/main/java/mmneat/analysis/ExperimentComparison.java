@@ -2,6 +2,7 @@ package mmneat.analysis;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.results.RunResult;
@@ -10,13 +11,14 @@ import mmneat.analysis.statistics.Sample;
 import mmneat.experiment.UserError;
 
 /**
- * The statistics of several experiments' champions.
+ * The statistics of several experiments' champions, in one version of the task: scores of different versions mean different things.
  *
+ * @param version of the task; empty for a task of the user's own
  * @param evaluated whether the scores are those of the evaluation after evolution; if not, of the last generation
  * @param report the tables
  * @param notes what a reader should know about the numbers
  */
-public record ExperimentComparison(boolean evaluated, ComparisonReport report, List<String> notes) {
+public record ExperimentComparison(String version, boolean evaluated, ComparisonReport report, List<String> notes) {
 
     /** Where the champions' scores come from. */
     public enum Scores {
@@ -33,12 +35,25 @@ public record ExperimentComparison(boolean evaluated, ComparisonReport report, L
     }
 
     /**
-     * Compares experiments.
+     * Compares the experiments of each version of the task.
      *
      * @param paper whether the paper's champions stand beside ours
+     * @return one comparison per version, in the order of the experiments
      * @throws UserError if the evaluations are wanted but not all there, or the paper has none of the experiments
      */
-    public static ExperimentComparison of(List<Experiment> experiments, Scores scores, boolean paper) {
+    public static List<ExperimentComparison> ofEachVersion(List<Experiment> experiments, Scores scores, boolean paper) {
+        Map<String, List<Experiment>> versions = Experiment.byVersion(experiments);
+        List<ExperimentComparison> comparisons = new ArrayList<>();
+        versions.forEach((version, ofVersion) -> comparisons.add(of(version, ofVersion, scores, paper)));
+        if (paper && comparisons.stream().noneMatch(comparison -> comparison.report.hasPaper())) {
+            throw new UserError(
+                    "paper=true: the paper has none of these experiments; it has the methods of the blended,"
+                            + " interleaved and isolated task");
+        }
+        return comparisons;
+    }
+
+    private static ExperimentComparison of(String version, List<Experiment> experiments, Scores scores, boolean paper) {
         List<String> notes = new ArrayList<>();
         boolean evaluated = chooseEvaluated(experiments, scores, notes);
         noteUnfinished(experiments, notes);
@@ -46,16 +61,11 @@ public record ExperimentComparison(boolean evaluated, ComparisonReport report, L
                 .map(e -> new Sample(e.label(), e.championScores(evaluated)))
                 .toList();
         List<Sample> published = paper ? published(experiments) : List.of();
-        if (paper && published.isEmpty()) {
-            throw new UserError(
-                    "paper=true: the paper has none of these experiments; it has the methods of the blended,"
-                            + " interleaved and isolated task");
-        }
-        if (paper && !evaluated) {
+        if (!published.isEmpty() && !evaluated) {
             notes.add("The paper's scores are averages of 1,000 games; the last generation's are the best of few games."
                     + " Run evaluate before you read anything into the difference.");
         }
-        return new ExperimentComparison(evaluated, ComparisonReport.of(samples, published), notes);
+        return new ExperimentComparison(version, evaluated, ComparisonReport.of(samples, published), notes);
     }
 
     private static boolean chooseEvaluated(List<Experiment> experiments, Scores scores, List<String> notes) {
@@ -75,11 +85,10 @@ public record ExperimentComparison(boolean evaluated, ComparisonReport report, L
         }
         if (experiments.stream().allMatch(experiment -> experiment.version().isEmpty())) {
             // evaluate plays Ms. Pac-Man.
-            notes.add(
-                    "Scores are the champions' of the last generation: the best of few evaluations, and so too high.");
+            notes.add("Scores are the best of the last generation: of few evaluations, and so too high.");
             return false;
         }
-        notes.add("Scores are the champions' of the last generation, the best of few games and so too high: not every"
+        notes.add("Scores are the best of the last generation, of few games and so too high: not every"
                 + " champion of " + String.join(", ", missing) + " was evaluated. Run evaluate for 1,000 games each.");
         return false;
     }
@@ -112,10 +121,15 @@ public record ExperimentComparison(boolean evaluated, ComparisonReport report, L
         return samples;
     }
 
-    /** What the scores are, as a heading. */
-    public String heading() {
-        return evaluated
+    /**
+     * What the scores are, as a heading.
+     *
+     * @param ofSeveral whether the version has to be named
+     */
+    public String heading(boolean ofSeveral) {
+        String scores = evaluated
                 ? "Champions' average score in games after evolution"
-                : "Champions' score in the last generation of evolution";
+                : "Best score in the last generation of evolution";
+        return ofSeveral ? scores + ", " + (version.isEmpty() ? "other tasks" : version + " task") : scores;
     }
 }

@@ -3,10 +3,12 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import mmneat.analysis.ExperimentComparison;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.statistics.ComparisonCsv;
+import mmneat.analysis.statistics.ComparisonReport;
 import picocli.CommandLine.Command;
 
 /** Compares the champions of several experiments with the paper's statistics. */
@@ -42,18 +44,28 @@ final class CompareCommand extends WordCommand implements Runnable {
         Words words = wordsAboutExperiments();
         List<Experiment> experiments = ExperimentFinder.find(experimentPaths(words));
         String scores = words.choice("scores", "auto", List.of("auto", "evaluation", "training"));
-        ExperimentComparison comparison = ExperimentComparison.of(
+        List<ExperimentComparison> comparisons = ExperimentComparison.ofEachVersion(
                 experiments,
                 ExperimentComparison.Scores.valueOf(scores.toUpperCase(Locale.ROOT)),
                 words.flag("paper", false));
+        comparisons.forEach(comparison -> print(comparison, comparisons.size() > 1));
+        List<ComparisonReport> reports =
+                comparisons.stream().map(ExperimentComparison::report).toList();
+        words.path("csv").ifPresent(file -> OutputFile.write(file, ComparisonCsv.of(reports)));
+        words.path("latex")
+                .ifPresent(file -> OutputFile.write(
+                        file, reports.stream().map(ComparisonReport::latex).collect(Collectors.joining("\n"))));
+    }
+
+    private void print(ExperimentComparison comparison, boolean ofSeveral) {
         PrintWriter out = out();
-        out.println(comparison.heading());
+        out.println(comparison.heading(ofSeveral));
         out.println();
         out.print(comparison.report().text());
         comparison.notes().forEach(note -> out.println("\nNote: " + note));
+        if (ofSeveral) {
+            out.println();
+        }
         out.flush();
-        words.path("csv").ifPresent(file -> OutputFile.write(file, ComparisonCsv.of(comparison.report())));
-        words.path("latex")
-                .ifPresent(file -> OutputFile.write(file, comparison.report().latex()));
     }
 }

@@ -60,9 +60,9 @@ final class ReportCommand extends WordCommand implements Runnable {
         Words words = wordsAboutExperiments();
         List<Experiment> experiments = ExperimentFinder.find(experimentPaths(words));
         boolean published = experiments.stream().anyMatch(ReportCommand::isPublished);
-        ExperimentComparison comparison =
-                ExperimentComparison.of(experiments, ExperimentComparison.Scores.AUTO, published);
-        ExperimentReport report = new ExperimentReport(experiments, comparison);
+        ExperimentReport report = new ExperimentReport(
+                experiments,
+                ExperimentComparison.ofEachVersion(experiments, ExperimentComparison.Scores.AUTO, published));
         Path out = words.path("out").orElse(Path.of("report.html"));
         List<Figure> figures = report.figures();
         words.path("figures").ifPresent(folder -> {

@@ -55,7 +55,7 @@ public final class GameView extends JComponent {
     private static final int SHOW_DELAY_MILLISECONDS = 2000;
 
     /** A window opens at the largest multiple of the picture's size that is not higher than this share of the screen. */
-    private static final double LARGEST_SHARE_OF_SCREEN = 0.55;
+    private static final double LARGEST_SHARE_OF_SCREEN = 0.85;
 
     private final Game game;
     private final Images images = new Images();
@@ -300,7 +300,7 @@ public final class GameView extends JComponent {
             getContentPane().setPreferredSize(new Dimension(scale * PICTURE_WIDTH, scale * PICTURE_HEIGHT));
             getContentPane().add(BorderLayout.CENTER, view);
             pack();
-            setLocation(screen.width * 3 / 8, screen.height * 3 / 8);
+            setLocationRelativeTo(null);
             setTitle("Ms. Pac-Man");
             setDefaultCloseOperation(EXIT_ON_CLOSE);
             setVisible(true);

@@ -38,6 +38,36 @@ class CompareCommandTest extends CommandTest {
     }
 
     @Test
+    void versionsOfTheTask_areComparedEachForItself() throws IOException {
+        twoMethods();
+        for (int run = 0; run < 8; run++) {
+            RunFixture.run(base, "isolated", "1M", run, 100, 40000 + run);
+            RunFixture.run(base, "isolated", "2M", run, 100, 42000 + run);
+        }
+        Path csv = base.resolve("pairs.csv");
+        assertThat(execute(
+                        "compare",
+                        base.resolve("blended").toString(),
+                        base.resolve("isolated").toString(),
+                        "paper=true",
+                        "csv=" + csv))
+                .isZero();
+        assertThat(out.toString())
+                .containsSubsequence(
+                        "evolution, blended task",
+                        "df = 1",
+                        "blended 1M - blended 2M",
+                        "(2 comparisons)",
+                        "evolution, isolated task",
+                        "df = 1",
+                        "isolated 1M - isolated 2M",
+                        "(2 comparisons)")
+                .doesNotContain("blended 1M - isolated");
+        assertThat(Files.readString(csv))
+                .contains("Kruskal-Wallis,\"blended 1M; blended 2M\"", "Kruskal-Wallis,\"isolated 1M; isolated 2M\"");
+    }
+
+    @Test
     void paper_standsBesideOurs_withAVerdict() throws IOException {
         twoMethods();
         assertThat(execute("compare", base.resolve("blended").toString(), "paper=true"))

@@ -42,8 +42,9 @@ class ProcessCommandTest extends CommandTest {
         assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X"))
                 .isEqualTo(2);
         assertThat(errors.toString())
-                .isEqualToIgnoringNewLines("mmneat: " + base.resolve("A0")
-                        + ": no run has completed a generation; give the words that the runs were made with");
+                .isEqualToIgnoringNewLines(
+                        "mmneat: " + base.resolve("A0")
+                                + ": no run has the logs of a complete generation (io=false writes none); give the words that the runs were made with");
     }
 
     @Test

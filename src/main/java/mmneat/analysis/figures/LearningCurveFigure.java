@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.stream.IntStream;
 import mmneat.analysis.results.Experiment;
@@ -24,7 +25,10 @@ public final class LearningCurveFigure {
 
     /** All medians in one panel, as in the paper. */
     public static Figure overview(String version, List<Experiment> experiments, PublishedResults paper) {
-        Panel panel = new Panel("", "Generation", "Champion's score, median over runs");
+        String title = version.isEmpty()
+                ? ""
+                : version.substring(0, 1).toUpperCase(Locale.ROOT) + version.substring(1) + " task";
+        Panel panel = new Panel(title, "Generation", "Champion's score, median over runs");
         int last = lastGeneration(experiments);
         boolean published = false;
         for (int i = 0; i < experiments.size(); i++) {

@@ -1,6 +1,9 @@
 package mmneat.analysis.replay;
 
+import java.awt.Color;
+import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -19,8 +22,8 @@ import pacman.game.Game;
 import pacman.game.GameView;
 
 /**
- * A trial of a network as an animated picture: the competition's view of the game, with Ms. Pac-Man's trail in this maze in one
- * colour per module.
+ * A trial of a network as an animated picture: the competition's view of the game, twice as large, with Ms. Pac-Man's trail in this
+ * maze in one colour per module, which a line below explains; at the end of a game it says how it ended.
  *
  * <p>There are at most {@value #MOST_FRAMES} frames, of every third step or fewer, so that a whole game stays small.
  */
@@ -36,20 +39,31 @@ public final class GameGif implements EvaluationObserver {
 
     /** Colours of the modules, as on the replay page; further modules begin again. */
     private static final int[] MODULES = {
-        0xffffb000, 0xff5b8cff, 0xffe8327c, 0xff35d3b0, 0xffb48cff, 0xffff7a2e, 0xff9fe84a, 0xffc9d2f0
+        0xffffb52e, 0xffa070ff, 0xff2fd0a5, 0xfff0529c, 0xffcfe86a, 0xffff7a2e, 0xff8adcff, 0xffc9d2f0
     };
 
+    /** Most modules that the line below has room for. */
+    private static final int MOST_NAMED = 4;
+
+    private static final int SCALE = 2;
+    private static final int LINE_HEIGHT = 30;
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 14);
+
+    private final int modules;
     private final GifSequence sequence;
     private final int stepsPerFrame;
     private final List<int[]> trail = new ArrayList<>();
     private GameView view;
     private BufferedImage image;
+    private BufferedImage frame;
+    private String title = "";
     private int level;
     private int step;
     private int frames;
 
-    private GameGif(GifSequence sequence, int stepsPerFrame) {
+    private GameGif(GifSequence sequence, int modules, int stepsPerFrame) {
         this.sequence = sequence;
+        this.modules = modules;
         this.stepsPerFrame = stepsPerFrame;
     }
 
@@ -67,7 +81,7 @@ public final class GameGif implements EvaluationObserver {
                 task.evaluate(genotype, new ResumableRandom(seed)).outcomes().steps();
         int stepsPerFrame = (int) Math.max(FEWEST_STEPS_PER_FRAME, 1 + steps / MOST_FRAMES);
         try (GifSequence sequence = new GifSequence(out)) {
-            GameGif gif = new GameGif(sequence, stepsPerFrame);
+            GameGif gif = new GameGif(sequence, genotype.modules(), stepsPerFrame);
             task.evaluate(genotype, new ResumableRandom(seed), gif);
             return gif.frames;
         }
@@ -78,6 +92,9 @@ public final class GameGif implements EvaluationObserver {
         view = new GameView(game);
         image = new BufferedImage(
                 view.getPreferredSize().width, view.getPreferredSize().height, BufferedImage.TYPE_INT_RGB);
+        frame = new BufferedImage(
+                SCALE * image.getWidth(), SCALE * image.getHeight() + LINE_HEIGHT, BufferedImage.TYPE_INT_RGB);
+        title = GameRecording.name(setting);
         level = game.getCurrentLevel();
         step = 0;
         trail.clear();
@@ -108,20 +125,51 @@ public final class GameGif implements EvaluationObserver {
     @Override
     public void gameOver(TrialGame setting, Game game, GameEnd end, DirectionEvaluator player) {
         if (game.getCurrentLevel() == level) {
-            addFrame(game, LAST_FRAME_CENTISECONDS);
-        } else {
-            sequence.add(image, LAST_FRAME_CENTISECONDS);
-            frames++;
+            paint(game);
         }
+        title = GameRecording.outcome(game, end);
+        addFrame(LAST_FRAME_CENTISECONDS);
     }
 
     private void addFrame(Game game, int centiseconds) {
+        paint(game);
+        addFrame(centiseconds);
+    }
+
+    private void paint(Game game) {
         Graphics2D graphics = image.createGraphics();
         view.paintComponent(graphics);
         graphics.dispose();
         paintTrail(game);
-        sequence.add(image, centiseconds);
+    }
+
+    private void addFrame(int centiseconds) {
+        Graphics2D graphics = frame.createGraphics();
+        graphics.setColor(Color.BLACK);
+        graphics.fillRect(0, 0, frame.getWidth(), frame.getHeight());
+        graphics.drawImage(image, 0, 0, SCALE * image.getWidth(), SCALE * image.getHeight(), null);
+        paintLine(graphics);
+        graphics.dispose();
+        sequence.add(frame, centiseconds);
         frames++;
+    }
+
+    /** What the colours mean, and which game this is or how it ended. */
+    private void paintLine(Graphics2D graphics) {
+        graphics.setFont(FONT);
+        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        int base = frame.getHeight() - LINE_HEIGHT / 3;
+        graphics.setColor(Color.WHITE);
+        int width = graphics.getFontMetrics().stringWidth(title);
+        graphics.drawString(title, frame.getWidth() - width - LINE_HEIGHT / 3, base);
+        int x = LINE_HEIGHT / 3;
+        for (int module = 0; module < Math.min(modules, MOST_NAMED); module++) {
+            graphics.setColor(new Color(MODULES[module]));
+            graphics.fillRect(x, base - 11, 12, 12);
+            String name = (module == 0 ? "module " : "") + (module + 1);
+            graphics.drawString(name, x + 17, base);
+            x += 17 + graphics.getFontMetrics().stringWidth(name) + LINE_HEIGHT / 2;
+        }
     }
 
     /** Only what is black is painted, so that the trail lies below everything else. */

@@ -70,7 +70,8 @@ public final class GameRecording implements EvaluationObserver {
         capture(game);
     }
 
-    private static String name(TrialGame setting) {
+    /** How viewers know the game of a trial; empty if it is the only one. */
+    static String name(TrialGame setting) {
         if (setting.name().startsWith("GhostTask")) {
             int corner = Integer.parseInt(setting.name().substring("GhostTask".length()));
             return "Ghosts " + (corner + 1);
@@ -122,7 +123,8 @@ public final class GameRecording implements EvaluationObserver {
         Arrays.fill(step.powerPills, false);
     }
 
-    private static String outcome(Game game, GameEnd end) {
+    /** How a game ended, with its points. */
+    static String outcome(Game game, GameEnd end) {
         String what =
                 switch (end) {
                     case ALL_LEVELS_BEATEN -> "All mazes cleared";

@@ -2,9 +2,8 @@ package mmneat.analysis.report;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -49,20 +48,25 @@ public final class ExperimentReport {
             "parallelEvaluations");
 
     private final List<Experiment> experiments;
-    private final ExperimentComparison comparison;
+    /** One per version of the task. */
+    private final List<ExperimentComparison> comparisons;
+
     private final PublishedResults paper = PublishedResults.read();
 
-    public ExperimentReport(List<Experiment> experiments, ExperimentComparison comparison) {
+    /**
+     * A report.
+     *
+     * @param comparisons of the experiments of each version
+     */
+    public ExperimentReport(List<Experiment> experiments, List<ExperimentComparison> comparisons) {
         this.experiments = List.copyOf(experiments);
-        this.comparison = comparison;
+        this.comparisons = List.copyOf(comparisons);
     }
 
     /** The figures of each version of the task. */
     public List<Figure> figures() {
         List<Figure> figures = new ArrayList<>();
-        Map<String, List<Experiment>> versions = experiments.stream()
-                .collect(Collectors.groupingBy(Experiment::version, LinkedHashMap::new, Collectors.toList()));
-        versions.forEach((version, ofVersion) -> {
+        Experiment.byVersion(experiments).forEach((version, ofVersion) -> {
             figures.add(LearningCurveFigure.overview(version, ofVersion, paper));
             figures.add(LearningCurveFigure.panels(version, ofVersion, paper));
             ModuleUseFigure.of(version, ofVersion, paper).ifPresent(figures::add);
@@ -85,7 +89,9 @@ public final class ExperimentReport {
                 .withText("subtitle", counted(experiments.size(), "experiment") + ", " + counted(runs, "run"))
                 .with(
                         "notes",
-                        comparison.notes().stream()
+                        comparisons.stream()
+                                .flatMap(comparison -> comparison.notes().stream())
+                                .distinct()
                                 .map(note -> "<p class=\"note\">" + Page.escape(note) + "</p>\n")
                                 .collect(Collectors.joining()))
                 .with(
@@ -94,7 +100,7 @@ public final class ExperimentReport {
                                 .map(figure -> "<figure>" + Html.image(figure.svg(), figure.caption()) + "<figcaption>"
                                         + Page.escape(figure.caption()) + "</figcaption></figure>\n")
                                 .collect(Collectors.joining()))
-                .with("statistics", statistics())
+                .with("statistics", comparisons.stream().map(this::statistics).collect(Collectors.joining()))
                 .with(
                         "champions",
                         experiments.stream()
@@ -109,19 +115,21 @@ public final class ExperimentReport {
         return count + " " + thing + (count == 1 ? "" : "s");
     }
 
-    private String statistics() {
+    private String statistics(ExperimentComparison comparison) {
         ComparisonReport report = comparison.report();
         StringBuilder html = new StringBuilder();
-        html.append("<h3>").append(Page.escape(comparison.heading())).append("</h3>\n");
+        html.append("<h3>")
+                .append(Page.escape(comparison.heading(comparisons.size() > 1)))
+                .append("</h3>\n");
         html.append(Html.table(report.groups()));
         html.append("<p>").append(Page.escape(report.overall())).append("</p>\n");
         if (!report.pairs().rows().isEmpty()) {
-            html.append("<h3>All pairs</h3>\n").append(Html.table(report.pairs()));
+            html.append("<h4>All pairs</h4>\n").append(Html.table(report.pairs()));
             html.append("<p>Two-sided Mann-Whitney U test; p corrected after Bonferroni; A is the chance that the first"
                     + " scores higher; * marks corrected p below 0.05.</p>\n");
         }
         if (report.hasPaper()) {
-            html.append("<h3>Against the paper's champions</h3>\n").append(Html.table(report.againstPaper()));
+            html.append("<h4>Against the paper's champions</h4>\n").append(Html.table(report.againstPaper()));
         }
         return html.toString();
     }
@@ -130,14 +138,15 @@ public final class ExperimentReport {
         RunResult best = experiment.best();
         StringBuilder html =
                 new StringBuilder("<h3>" + Page.escape(experiment.label()) + "</h3>\n<div class=\"scroll\">"
-                        + "<table><thead><tr><th>run</th><th>last generation</th><th>after evolution</th><th>95 % interval</th>"
+                        + "<table><thead><tr><th>run</th><th>when chosen</th><th>games after evolution</th><th>mean</th><th>95 % interval</th>"
                         + "<th>most-used module</th><th>modules</th><th>neurons</th><th>links</th><th>replay</th>"
                         + "<th>network</th></tr></thead><tbody>\n");
         for (RunResult run : experiment.runs()) {
             html.append(run == best ? "<tr class=\"best\">" : "<tr>");
             cell(html, String.valueOf(run.number()));
-            cell(html, Numbers.score(run.lastScore()));
+            cell(html, Numbers.score(run.scoreOfChampion()));
             ChampionEvaluation evaluation = run.evaluation().orElse(null);
+            cell(html, evaluation == null ? "-" : String.format(Locale.ROOT, "%,d", evaluation.games()));
             cell(html, evaluation == null ? "-" : Numbers.score(evaluation.meanScore()));
             cell(
                     html,
@@ -148,7 +157,10 @@ public final class ExperimentReport {
             network(html, run, replays.apply(experiment, run));
             html.append("</tr>\n");
         }
-        return html.append("</tbody></table></div>\n").toString();
+        return html.append(
+                        "</tbody></table></div>\n<p>\u2605 the best. A champion is chosen in the last generation that has children, by the"
+                                + " score in that column; the learning curves go one generation further.</p>\n")
+                .toString();
     }
 
     private static void network(StringBuilder html, RunResult run, String replay) {

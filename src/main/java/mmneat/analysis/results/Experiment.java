@@ -1,7 +1,10 @@
 package mmneat.analysis.results;
 
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * Runs that differ in nothing but the seed.
@@ -15,6 +18,12 @@ public record Experiment(String version, String method, String label, List<RunRe
 
     public Experiment {
         runs = List.copyOf(runs);
+    }
+
+    /** Experiments by the version of the task, in their order. */
+    public static Map<String, List<Experiment>> byVersion(List<Experiment> experiments) {
+        return experiments.stream()
+                .collect(Collectors.groupingBy(Experiment::version, LinkedHashMap::new, Collectors.toList()));
     }
 
     /** Whether every champion was evaluated after evolution. */

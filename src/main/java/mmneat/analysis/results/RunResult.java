@@ -20,9 +20,14 @@ public record RunResult(
         double[] championScores,
         Optional<ChampionEvaluation> evaluation) {
 
-    /** The champion's score in the last generation. */
+    /** The best score in the last generation. */
     public double lastScore() {
         return championScores[championScores.length - 1];
+    }
+
+    /** The champion's score in the generation in which it was chosen: the last that had children. */
+    public double scoreOfChampion() {
+        return championScores[Math.max(0, championScores.length - 2)];
     }
 
     /** Number of generations that were evolved. */

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** A comparison as CSV in full precision: one row per test. */
 public final class ComparisonCsv {
@@ -16,36 +17,44 @@ public final class ComparisonCsv {
 
     private ComparisonCsv() {}
 
-    public static String of(ComparisonReport report) {
+    /** The tests of comparisons, one after the other. */
+    public static String of(List<ComparisonReport> reports) {
         StringWriter text = new StringWriter();
         CsvSchema schema = CsvSchema.builder()
                 .addColumns(COLUMNS, CsvSchema.ColumnType.NUMBER_OR_STRING)
                 .setUseHeader(true)
                 .build();
         try (SequenceWriter rows = new CsvMapper().writer(schema).writeValues(text)) {
-            if (report.comparison().isPresent()) {
-                KruskalWallis test = report.comparison().get().kruskalWallis();
-                rows.write(List.of(
-                        "Kruskal-Wallis",
-                        "all",
-                        "",
-                        test.h(),
-                        test.p(),
-                        test.p(),
-                        "df=" + test.degreesOfFreedom(),
-                        "",
-                        ""));
-                for (Comparison.Pair pair : report.comparison().get().pairs()) {
-                    rows.write(row("Mann-Whitney", pair, pair.test().b()));
-                }
-            }
-            for (Comparison.Pair pair : report.pairsAgainstPaper()) {
-                rows.write(row("against the paper", pair, pair.test().b() + " (paper)"));
+            for (ComparisonReport report : reports) {
+                write(report, rows);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
         return text.toString();
+    }
+
+    private static void write(ComparisonReport report, SequenceWriter rows) throws IOException {
+        if (report.comparison().isPresent()) {
+            KruskalWallis test = report.comparison().get().kruskalWallis();
+            String groups = report.samples().stream().map(Sample::label).collect(Collectors.joining("; "));
+            rows.write(List.of(
+                    "Kruskal-Wallis",
+                    groups,
+                    "",
+                    test.h(),
+                    test.p(),
+                    test.p(),
+                    "df=" + test.degreesOfFreedom(),
+                    "",
+                    ""));
+            for (Comparison.Pair pair : report.comparison().get().pairs()) {
+                rows.write(row("Mann-Whitney", pair, pair.test().b()));
+            }
+        }
+        for (Comparison.Pair pair : report.pairsAgainstPaper()) {
+            rows.write(row("against the paper", pair, pair.test().b() + " (paper)"));
+        }
     }
 
     private static List<Object> row(String name, Comparison.Pair pair, String second) {

@@ -145,7 +145,24 @@ public final class NetworkSvg {
         double x = NetworkPlan.MARGIN;
         x = legendLine(x, y, POSITIVE, false, "positive weight");
         x = legendLine(x, y, NEGATIVE, false, "negative weight");
-        x = legendLine(x, y, "black", true, "recurrent");
+        if (hasRecurrentLinks()) {
+            x = legendLine(x, y, "black", true, "recurrent");
+        }
+        if (hasPreferenceNeurons()) {
+            x = legendPreferenceNeuron(x, y);
+        }
+        text(x, y, "start", "width: size of the weight");
+    }
+
+    private boolean hasRecurrentLinks() {
+        return graph.links().stream().anyMatch(NetworkGraph.Link::isRecurrent);
+    }
+
+    private boolean hasPreferenceNeurons() {
+        return graph.neurons().stream().anyMatch(neuron -> neuron.role() == NetworkGraph.Role.PREFERENCE);
+    }
+
+    private double legendPreferenceNeuron(double x, double y) throws XMLStreamException {
         svg.writeStartElement("circle");
         attribute("cx", number(x + 6));
         attribute("cy", number(y - 4));
@@ -154,7 +171,7 @@ public final class NetworkSvg {
         attribute("stroke", "black");
         svg.writeEndElement();
         text(x + 18, y, "start", "preference neuron");
-        text(x + 135, y, "start", "width: size of the weight");
+        return x + 135;
     }
 
     private double legendLine(double x, double y, String colour, boolean isDashed, String meaning)

@@ -112,7 +112,7 @@ class MindView {
   drawDirections(c, step, shown) {
     const { at } = this, { choice, module } = this.recording.column;
     c.textAlign = "left"; c.textBaseline = "middle"; c.font = "12px system-ui, sans-serif"; c.fillStyle = "#8f99bd";
-    c.fillText("preference", 2, 33);
+    c.fillText("answer", 2, 33);
     for (let d = 0; d < 4; d++) {
       const x = at.label + d * at.cell, w = at.cell - 3;
       if (d === shown) { c.fillStyle = "#1c2548"; c.beginPath(); c.roundRect(x - 1.5, 0, at.cell, at.height, 6); c.fill(); }

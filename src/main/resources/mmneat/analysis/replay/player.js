@@ -85,6 +85,8 @@ class Player {
 
   listModules() {
     const { column, network } = this.recording, counts = new Map();
+    this.byId("preference-key").hidden = !network.nodes.some(node => node.kind === "PREFERENCE");
+    this.byId("recurrent-key").hidden = !network.links.some(link => link.recurrent);
     for (const module of column.module) if (module !== WALL) counts.set(module, (counts.get(module) || 0) + 1);
     const total = [...counts.values()].reduce((a, b) => a + b, 0) || 1;
     network.modules.forEach((name, m) => {
@@ -102,7 +104,7 @@ class Player {
     const put = (id, text) => { const e = this.byId(id); if (e.textContent !== text) e.textContent = text; };
     put("score", number(column.score[step]));
     put("total", number(total[step]));
-    put("maze-label", chapter.game || `Level ${chapter.level + 1}`);
+    put("maze-label", chapter.game ? chapter.game + " in" : `Level ${chapter.level + 1}`);
     put("maze", mazeLetter(chapter));
     put("pills", left.powerPills.size ? `${left.pills.size}+${left.powerPills.size}` : String(left.pills.size));
     put("ghosts", String(ghostsEaten[step]));
@@ -116,7 +118,11 @@ class Player {
     put("decision", this.mind.decision(step));
     const event = events.find(e => step === e.step);
     this.byId("outcome").hidden = !event;
-    if (event) put("outcome", event.text);
+    if (!event) return;
+    put("outcome", event.text);
+    // Away from where it happened.
+    const { y } = this.recording.mazeOf[chapter.maze];
+    this.byId("outcome").classList.toggle("high", y[column.node[step]] > Math.max(...y) / 2);
   }
 
   showPlaying() {

@@ -16,7 +16,7 @@ class Timeline {
     c.drawImage(this.picture, 0, 0);
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     const x = this.x(at, width);
-    c.fillStyle = "#04060daa"; c.fillRect(x, 0, width - x, height);
+    c.fillStyle = "#04060daa"; c.fillRect(x, 0, width - x, height - 16);
     c.fillStyle = "#fff"; c.fillRect(x - 1, 0, 2, height);
     c.beginPath(); c.arc(x, height / 2, 6, 0, 7); c.fill();
   }

@@ -130,13 +130,13 @@ class GameGifTest {
         return Integer.parseInt(node.getAttribute(attribute));
     }
 
-    /** Equal but for the palette's rounding and for the trail, which covers only what is black. */
+    /** Twice as large, and equal but for the palette's rounding and for the trail, which covers only what is black. */
     private static void assertSimilar(BufferedImage shown, BufferedImage painted) {
         for (int y = 0; y < painted.getHeight(); y++) {
             for (int x = 0; x < painted.getWidth(); x++) {
                 int expected = painted.getRGB(x, y);
                 if ((expected & 0xffffff) != 0) {
-                    int actual = shown.getRGB(x, y);
+                    int actual = shown.getRGB(2 * x, 2 * y);
                     for (int shift = 0; shift < 24; shift += 8) {
                         assertThat(Math.abs((actual >> shift & 255) - (expected >> shift & 255)))
                                 .as("pixel %d, %d", x, y)

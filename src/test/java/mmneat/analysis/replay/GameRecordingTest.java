@@ -128,11 +128,13 @@ class GameRecordingTest {
         int sum = (int) evaluation.otherScores()[0];
         Replay replay = GameRecording.record(settings, champion.genotype(), 2, new ReplayTitle("five games", ""));
         assertThat(replay.finalScore()).isEqualTo(sum);
+        assertThat(replay.steps()).isEqualTo((int) evaluation.outcomes().steps());
         try (HeadlessChromium browser = HeadlessChromium.start()) {
             open(browser, replay);
             assertThat(browser.evaluate("player.recording.gameStarts.length").asInt())
                     .isEqualTo(5);
-            assertThat(browser.text("#maze-label")).isEqualTo("Pills");
+            assertThat(browser.text("#maze-label")).isEqualTo("Pills in");
+            assertThat(browser.text("#maze")).isEqualTo("A");
             browser.evaluate("player.setSpeed(16)");
             browser.press(" ");
             // It holds at the end of the first game, and says how it ended.
@@ -144,7 +146,7 @@ class GameRecordingTest {
             assertThat(browser.text("#outcome")).contains(ofPillGame + " points");
             browser.waitUntil("player.step > player.recording.gameStarts[1]");
             browser.press(" ");
-            assertThat(browser.text("#maze-label")).isEqualTo("Ghosts 1");
+            assertThat(browser.text("#maze-label")).isEqualTo("Ghosts 1 in");
             browser.press("End");
             assertThat(browser.text("#total")).isEqualTo(String.format(Locale.ROOT, "%,d", sum));
             assertThat(browser.text("#outcome"))
