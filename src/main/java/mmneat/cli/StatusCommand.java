@@ -98,7 +98,7 @@ final class StatusCommand implements Callable<Integer> {
                         .append(state.name().toLowerCase(Locale.ROOT));
             }
         }
-        experiment.best().ifPresent(run -> summary.append("; champions: best ")
+        experiment.best().ifPresent(run -> summary.append("; best of the last generation ")
                 .append(Numbers.score(run.status().best()))
                 .append(" (run ")
                 .append(run.number())

@@ -43,7 +43,7 @@ class MainJobTest extends CommandTest {
         assertThat(errors.toString()).isEmpty();
 
         assertThat(execute("status", folder.toString())).isZero();
-        assertThat(out.toString()).contains("2 of 2 finished; champions: best");
+        assertThat(out.toString()).contains("2 of 2 finished; best of the last generation");
         assertThat(evolve("runs=2")).isZero();
         assertThat(out.toString()).contains("2 runs were complete before");
         assertThat(evolve("runs=3", "maxGens=2", "quiet=true")).isZero();
