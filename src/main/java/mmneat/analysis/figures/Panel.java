@@ -59,6 +59,8 @@ final class Panel {
         style.setPlotGridLinesStroke(new BasicStroke(0.8f));
         style.setAxisTickMarksColor(new Color(0x80, 0x86, 0x92));
         style.setLegendVisible(false);
+        // Room for the half of a label under the end of an axis.
+        style.setChartPadding(16);
         style.setXAxisDecimalPattern("#,##0");
         style.setYAxisLabelAlignment(AxesChartStyler.TextAlignment.Right);
         style.setLocale(java.util.Locale.ROOT);
