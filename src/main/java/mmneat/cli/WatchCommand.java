@@ -68,15 +68,15 @@ final class WatchCommand extends WordCommand implements Runnable {
         }
         boolean window = words.flag("window", false);
         words.requireEffect("delay", window, "pages and pictures have their own speed (delay= goes with window=true)");
-        if (!window) {
-            Display.drawWithoutScreen();
-        }
         if (window) {
             showWindow(words, champion, settings, seed);
-        } else if (name.endsWith(".gif")) {
-            writeGif(out, champion, settings, seed);
         } else {
-            writePage(out, champion, settings, rules, seed);
+            Display.drawWithoutScreen();
+            if (name.endsWith(".gif")) {
+                writeGif(out, champion, settings, seed);
+            } else {
+                writePage(out, champion, settings, rules, seed);
+            }
         }
         out().flush();
     }

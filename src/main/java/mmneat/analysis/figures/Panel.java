@@ -119,8 +119,9 @@ final class Panel {
         return high;
     }
 
-    /** Sets the axes; to be called once, before painting. */
-    void range(double left, double right, double bottom, double top) {
+    /** Sets the axes; to be called once, before painting. An axis without extent becomes 1 high. */
+    void range(double left, double right, double bottom, double highest) {
+        double top = highest > bottom ? highest : bottom + 1;
         if (chart.getSeriesMap().isEmpty()) {
             // XChart draws axes for its own series only, and ticks only if these have many values.
             points("axes", between(left, right), between(bottom, top), INVISIBLE);
