@@ -1,9 +1,7 @@
 package mmneat.cli;
 
 import java.io.File;
-import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -14,7 +12,6 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import mmneat.cli.entry.ControllerFactory;
 import mmneat.cli.entry.ControllerLoader;
-import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import mmneat.random.ResumableRandom;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
@@ -251,12 +248,7 @@ final class PlayCommand extends WordCommand implements Runnable {
                 executor.runGameTimedRecorded(game, player, team, view, recording.toString());
                 return;
             }
-            String states = executor.runGameRecorded(player, team, game);
-            try {
-                Files.writeString(recording, states + System.lineSeparator(), StandardCharsets.UTF_8);
-            } catch (IOException e) {
-                throw new UserError("record: cannot write " + recording + ": " + FileTrouble.reason(e), e);
-            }
+            OutputFile.write(recording, executor.runGameRecorded(player, team, game) + System.lineSeparator());
         }
 
         private static void lookAtTheEnd() {

@@ -10,6 +10,7 @@ import pacman.Executor;
 import pacman.Recording;
 import pacman.game.Constants;
 import pacman.game.Game;
+import pacman.game.GameRules;
 import picocli.CommandLine.Command;
 
 /** Shows a recorded game. */
@@ -44,25 +45,29 @@ final class ReplayCommand extends WordCommand implements Runnable {
         int delay = words.integer("delay", Constants.DELAY, 0, LONGEST_DELAY_MILLISECONDS);
         boolean wantsView = words.flag("view", true);
         boolean view = wantsView && Display.isThere();
+        Recording recording = load(file);
+        if (wantsView && !view) {
+            notes().println("mmneat: there is no display, so the game is not shown");
+        }
+        GameRules rules = GameWords.rules(words, recording.rules());
         try {
-            Recording recording = Recording.load(file);
-            if (wantsView && !view) {
-                notes().println("mmneat: there is no display, so the game is not shown");
-            }
-            Game game = new Executor()
-                    .replayGame(recording, GameWords.rules(words, recording.rules()), view, view ? delay : 0);
+            Game game = new Executor().replayGame(recording, rules, view, view ? delay : 0);
             out().println(recording.states().size() + " steps: score " + game.getScore() + ", level "
                     + (game.getCurrentLevel() + 1) + ", time " + game.getTotalTime() + ", lives "
                     + game.getPacmanNumberOfLivesRemaining());
+        } catch (IllegalArgumentException e) {
+            String hint = words.has("maze") ? "" : "; a game in a maze of your own needs the same maze=FILE";
+            throw new UserError(file + ": " + e.getMessage() + hint, e);
+        }
+    }
+
+    private static Recording load(Path file) {
+        try {
+            return Recording.load(file);
         } catch (IOException e) {
             throw new UserError("cannot read " + file + ": " + FileTrouble.reason(e), e);
         } catch (IllegalArgumentException e) {
-            throw new UserError(
-                    file + ": " + e.getMessage()
-                            + (e.getMessage().contains("these mazes") && !words.has("maze")
-                                    ? "; a game in a maze of your own needs the same maze=FILE"
-                                    : ""),
-                    e);
+            throw new UserError(file + ": " + e.getMessage(), e);
         }
     }
 }

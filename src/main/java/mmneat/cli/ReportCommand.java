@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import mmneat.analysis.ExperimentComparison;
@@ -19,6 +18,7 @@ import mmneat.analysis.replay.ReplayTitle;
 import mmneat.analysis.report.ExperimentReport;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.ExperimentFinder;
+import mmneat.analysis.results.MethodName;
 import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.results.RunResult;
 import mmneat.experiment.FileTrouble;
@@ -88,11 +88,8 @@ final class ReportCommand extends WordCommand implements Runnable {
     private static String title(List<Experiment> experiments) {
         List<String> versions =
                 experiments.stream().map(Experiment::version).distinct().toList();
-        String version = versions.size() == 1 && !versions.get(0).isEmpty()
-                ? versions.get(0).substring(0, 1).toUpperCase(Locale.ROOT)
-                        + versions.get(0).substring(1) + " task: "
-                : "";
-        return version
+        String version = versions.size() == 1 ? MethodName.title(versions.get(0)) : "";
+        return (version.isEmpty() ? "" : version + ": ")
                 + String.join(", ", experiments.stream().map(Experiment::label).toList());
     }
 

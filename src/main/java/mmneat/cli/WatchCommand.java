@@ -83,8 +83,7 @@ final class WatchCommand extends WordCommand implements Runnable {
 
     /** Runs of different tasks have the same names. */
     private static String pageName(Champion champion, MsPacManTaskSettings settings) {
-        String version = settings.version().name().toLowerCase(Locale.ROOT);
-        return champion.runFolder().isPresent() ? version + "-" + champion.name() : champion.name();
+        return champion.runFolder().isPresent() ? settings.version().label() + "-" + champion.name() : champion.name();
     }
 
     private void showWindow(Words words, Champion champion, MsPacManTaskSettings settings, long seed) {
@@ -113,7 +112,7 @@ final class WatchCommand extends WordCommand implements Runnable {
 
     private void writePage(Path out, Champion champion, MsPacManTaskSettings settings, Rules rules, long seed) {
         ReplayTitle title = new ReplayTitle(
-                settings.version().name().toLowerCase(Locale.ROOT) + " · " + champion.name(),
+                settings.version().label() + " · " + champion.name(),
                 rules.label() + " rules, seed " + seed + ", network "
                         + champion.genotype().id());
         Replay replay = GameRecording.record(settings, champion.genotype(), seed, title);

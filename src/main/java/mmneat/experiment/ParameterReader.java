@@ -98,7 +98,7 @@ public final class ParameterReader {
                                     .allMatch(
                                             line -> ORIGINAL_LINE.matcher(line).matches())
                     ? savedByOriginal(lines)
-                    : PublishedConfigurations.read(new StringReader(text));
+                    : PropertiesFile.read(new StringReader(text));
             Parameters.defaults(catalogue).with(layer);
         } catch (IOException e) {
             throw new UserError("config=" + name + ": cannot be read: " + FileTrouble.reason(e), e);

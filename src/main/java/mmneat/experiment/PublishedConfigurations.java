@@ -3,14 +3,11 @@ package mmneat.experiment;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
-import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Properties;
-import java.util.TreeMap;
 
 /**
  * The sixteen published experiments: what the paper sets for each task and method, from
@@ -53,7 +50,7 @@ public final class PublishedConfigurations {
         }
         String resource = "/configs/" + task + "/" + method + ".properties";
         try (InputStream stream = PublishedConfigurations.class.getResourceAsStream(resource)) {
-            return read(new InputStreamReader(stream, StandardCharsets.UTF_8));
+            return PropertiesFile.read(new InputStreamReader(stream, StandardCharsets.UTF_8));
         } catch (IOException e) {
             throw new UncheckedIOException("the packed file " + resource + " cannot be read", e);
         }
@@ -70,26 +67,5 @@ public final class PublishedConfigurations {
                 throw new UserError("method=" + method + " needs a human-specified task division, which only"
                         + " the tasks " + String.join(", ", tasks()) + " have");
         };
-    }
-
-    /**
-     * Reads Java's properties syntax; names are taken whole, dots included.
-     *
-     * @throws UserError if a name stands there twice
-     */
-    static Map<String, String> read(Reader reader) throws IOException {
-        Map<String, String> values = new TreeMap<>();
-        new Properties() {
-            private static final long serialVersionUID = 1;
-
-            @Override
-            public synchronized Object put(Object name, Object value) {
-                if (values.put((String) name, (String) value) != null) {
-                    throw new UserError("'" + name + "' is given twice; give it once");
-                }
-                return null;
-            }
-        }.load(reader);
-        return values;
     }
 }

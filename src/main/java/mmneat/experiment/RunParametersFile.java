@@ -3,7 +3,6 @@ package mmneat.experiment;
 import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
 import com.fasterxml.jackson.dataformat.javaprop.JavaPropsSchema;
 import java.io.IOException;
-import java.io.Reader;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -53,24 +52,12 @@ final class RunParametersFile {
     /**
      * All values by name.
      *
-     * @throws UserError if they cannot be read
+     * @throws UserError if they cannot be read, or the number of the run is none
      */
     Map<String, String> read() {
-        try (Reader reader = Files.newBufferedReader(file)) {
-            return PublishedConfigurations.read(reader);
-        } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
-        }
-    }
-
-    /** The number of the run, from its values. */
-    int runNumber(Map<String, String> values) {
-        String number = values.getOrDefault("runNumber", "0");
-        try {
-            return Integer.parseInt(number);
-        } catch (NumberFormatException e) {
-            throw new UserError(file + ": runNumber=" + number + ": must be a whole number", e);
-        }
+        Map<String, String> values = PropertiesFile.read(file);
+        PropertiesFile.requireWholeNumber(file, values, "runNumber");
+        return values;
     }
 
     /**

@@ -53,8 +53,7 @@ public record RunView(
 
     /** Reads a run's folder. */
     static RunView read(Path directory, Instant now) throws IOException {
-        RunParametersFile file = new RunParametersFile(directory);
-        Map<String, String> parameters = file.read();
+        Map<String, String> parameters = new RunParametersFile(directory).read();
         Optional<RunStatus> status = RunStatus.read(directory);
         Optional<RunLock.Sighting> lock = RunLock.look(directory);
         boolean worksNow =
@@ -70,7 +69,7 @@ public record RunView(
         return new RunView(
                 directory,
                 parameters.getOrDefault("log", ""),
-                file.runNumber(parameters),
+                Integer.parseInt(parameters.getOrDefault("runNumber", "0")),
                 state,
                 status.orElse(null),
                 lock.map(RunLock.Sighting::signOfLife).orElse(null),

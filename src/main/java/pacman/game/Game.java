@@ -963,7 +963,7 @@ public final class Game {
     /** Without a last level there is no number of power pills to compare with. */
     private int powerPillsInAllLevels() {
         int levels = state.rules.maximumLevel();
-        return levels == Integer.MAX_VALUE ? 0 : Constants.NUM_MAZES * levels;
+        return levels == Integer.MAX_VALUE ? 0 : GhostLocations.POWER_PILLS * levels;
     }
 
     private GameHistory history() {

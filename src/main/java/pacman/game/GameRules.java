@@ -1,5 +1,6 @@
 package pacman.game;
 
+import java.util.stream.IntStream;
 import pacman.game.internal.Mazes;
 
 /**
@@ -78,7 +79,6 @@ public record GameRules(
         }
         requireRange("initialMaze", initialMaze, 0, mazes.count() - 1);
         requireRange("onlyMaze", onlyMaze, -1, mazes.count() - 1);
-        requireRange("startingPowerPill", startingPowerPill, -1, Integer.MAX_VALUE);
         requireRange("lives", lives, 1, Integer.MAX_VALUE);
         requireRange("maximumLevel", maximumLevel, 1, Integer.MAX_VALUE);
         requireRange("levelTimeLimit", levelTimeLimit, 1, Integer.MAX_VALUE);
@@ -103,13 +103,14 @@ public record GameRules(
     }
 
     private static void requirePowerPill(Mazes mazes, int powerPill) {
-        // The mazes of the competition have four each, and are not loaded for this.
-        for (int index = 0; index < mazes.count() && powerPill >= 0; index++) {
-            int powerPills = mazes == Mazes.standard()
-                    ? Constants.NUM_MAZES
-                    : mazes.get(index).graph().powerPillCount();
-            requireRange("startingPowerPill", powerPill, -1, powerPills - 1);
-        }
+        // The mazes of the competition are not loaded for this.
+        int fewest = mazes == Mazes.standard()
+                ? GhostLocations.POWER_PILLS
+                : IntStream.range(0, mazes.count())
+                        .map(index -> mazes.get(index).graph().powerPillCount())
+                        .min()
+                        .getAsInt();
+        requireRange("startingPowerPill", powerPill, -1, fewest - 1);
     }
 
     private static void requireProbability(String name, double value) {

@@ -24,7 +24,8 @@ public final class GhostLocations {
     /** Situations kept per maze and power pill. */
     public static final int SITUATIONS = 100;
 
-    private static final int POWER_PILLS = 4;
+    /** Power pills of each of the four mazes. */
+    static final int POWER_PILLS = 4;
 
     /** Our own recording, of games of a champion that this program evolved; docs/champions.md tells how it was made. */
     private static final String SHIPPED = "ghost-locations.txt";

@@ -10,7 +10,6 @@ import java.util.Objects;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
-import pacman.game.internal.MazeGraph;
 import pacman.game.internal.MazePoses;
 
 /**
@@ -24,13 +23,6 @@ final class StateText {
     private static final int SHORT = 35;
     private static final int LONG = 56;
     private static final int LONGEST_SHOWN = 80;
-    /**
-     * What each field is: an int, a long (L), a double, a boolean, a move, a node, the maze, its pills (P) or its power pills (Q).
-     */
-    private static final String COUNTERS = "L" + "iiii" + "dL" + "iiiiiiiii" + "bbbb";
-
-    private static final String REST_OF_SHORT = "nmib" + "niim".repeat(GHOSTS) + "PQ" + "ib" + "bbbb" + "bb";
-
     private static final MOVE[] MOVES = MOVE.values();
 
     /** Next field to read. */
@@ -116,7 +108,8 @@ final class StateText {
                     + " in the competition's form, this one has " + fields.length + ": " + shortened(text));
         }
         try {
-            new StateText(fields).requireAll(state);
+            // First into another game: nothing of this one changes unless everything can be read.
+            new StateText(fields).read(new GameState(0, state.rules, null));
             new StateText(fields).read(state);
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
             throw new IllegalArgumentException(
@@ -126,27 +119,6 @@ final class StateText {
 
     private static String shortened(String text) {
         return text.length() <= LONGEST_SHOWN ? text : text.substring(0, LONGEST_SHOWN) + "...";
-    }
-
-    /** Makes sure that every field can be read before any is. */
-    private void requireAll(GameState state) {
-        String kinds = fields.length == LONG ? COUNTERS + "ziiiii" + REST_OF_SHORT : "ziiii" + REST_OF_SHORT;
-        MazeGraph graph = state.rules
-                .mazes()
-                .get(Integer.parseInt(fields[kinds.indexOf('z')]))
-                .graph();
-        for (next = 0; next < fields.length; ) {
-            switch (kinds.charAt(next)) {
-                case 'L' -> Long.parseLong(fields[next++]);
-                case 'd' -> Double.parseDouble(fields[next++]);
-                case 'b' -> nextBoolean();
-                case 'm' -> nextMove();
-                case 'n' -> Objects.checkIndex(nextInt(), graph.nodeCount());
-                case 'P' -> requireLength("pills", fields[next++], graph.pillCount());
-                case 'Q' -> requireLength("power pills", fields[next++], graph.powerPillCount());
-                default -> nextInt();
-            }
-        }
     }
 
     private void read(GameState state) {
@@ -161,11 +133,11 @@ final class StateText {
         state.levelTime = nextInt();
         state.level = nextInt();
         state.timesLevel = isLong ? nextInt() : state.level;
-        state.pacManPose = MazePoses.of(nextInt(), nextMove());
+        state.pacManPose = MazePoses.of(nextNode(state), nextMove());
         state.lives = nextInt();
         state.extraLifeReceived = nextBoolean();
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            int node = nextInt();
+            int node = nextNode(state);
             state.ghosts[EDIBLE + ghost] = nextInt();
             state.ghosts[LAIR + ghost] = nextInt();
             state.ghosts[POSE + ghost] = MazePoses.of(node, nextMove());
@@ -208,6 +180,8 @@ final class StateText {
         // As in the original all pills are set first, which draws random numbers under preEatenPillPortion.
         state.fillPills();
         state.fillPowerPills();
+        requireLength("pills", pills, state.graph.pillCount());
+        requireLength("power pills", powerPills, state.graph.powerPillCount());
         Arrays.fill(state.pills, 0);
         state.pillsLeft = 0;
         for (int pill = 0; pill < pills.length(); pill++) {
@@ -229,6 +203,10 @@ final class StateText {
             throw new IllegalArgumentException(
                     "the maze has " + count + " " + what + ", the state string " + bits.length());
         }
+    }
+
+    private int nextNode(GameState state) {
+        return Objects.checkIndex(nextInt(), state.graph.nodeCount());
     }
 
     private int nextInt() {

@@ -85,6 +85,8 @@ class MainJobTest extends CommandTest {
         Path parameters = folder.resolve("xor/1M0/parameters.properties");
         Files.writeString(parameters, Files.readString(parameters).replace("runNumber=0", "runNumber=x"));
         assertMistake(parameters + ": runNumber=x: must be a whole number", "status", folder.toString());
+        Files.writeString(parameters, "mu=3\nmu=4\n");
+        assertMistake(parameters + ": 'mu' is given twice", "status", folder.toString());
         Files.writeString(parameters, "# für", StandardCharsets.ISO_8859_1);
         assertMistake(parameters + ": cannot be read: it is not a text in UTF-8", "status", folder.toString());
     }

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import mmneat.CompiledClasses;
 import mmneat.analysis.evaluation.ShippedChampions;
+import mmneat.analysis.results.RunFixture;
 import mmneat.neat.InitialNetworks;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.io.GenotypeJson;
@@ -152,8 +154,8 @@ class PlayCommandTest extends CommandTest {
 
     @Test
     void championOfARun_sensesAsTheRunSays() throws IOException {
-        Path run = Files.createDirectories(folder.resolve("first").resolve("2M0"));
-        Files.writeString(run.resolve("parameters.properties"), "task=blended\nstartingModes=2\nspecific=true\n");
+        Path run = RunFixture.run(folder, "blended", "2M", 0, 1000);
+        Files.writeString(run.resolve("parameters.properties"), "specific=true\n", StandardOpenOption.APPEND);
         ModuleLayout layout = ModuleLayout.withPreferenceNeurons(2, 1);
         Path network = Files.writeString(
                 run.resolve("champion.json"),
@@ -170,8 +172,7 @@ class PlayCommandTest extends CommandTest {
 
     @Test
     void publishedChampionOfARun_playsAsItsFileAlone() throws IOException {
-        Path run = Files.createDirectories(folder.resolve("first").resolve("2M0"));
-        Files.writeString(run.resolve("parameters.properties"), "task=blended\nstartingModes=2\n");
+        Path run = RunFixture.run(folder, "blended", "2M", 0, 1000);
         String champion = GenotypeJson.write(ShippedChampions.read("blended").genotype());
         Files.writeString(run.resolve("champion.json"), champion);
         Path alone = Files.writeString(folder.resolve("alone.json"), champion);

@@ -100,7 +100,7 @@ public final class ChampionEvaluator implements AutoCloseable {
 
         private String title(Champion champion, MsPacManTaskSettings settings) {
             return networkTitle(champion) + ", "
-                    + settings.version().name().toLowerCase(java.util.Locale.ROOT) + " task, " + rules.label()
+                    + settings.version().label() + " task, " + rules.label()
                     + " rules, seed " + seed + ghostLocations(settings);
         }
 

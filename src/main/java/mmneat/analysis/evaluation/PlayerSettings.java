@@ -28,19 +28,9 @@ public final class PlayerSettings {
     public static Optional<MsPacManTaskSettings> find(
             Champion champion, Optional<String> version, Rules rules, Optional<Path> ghostLocations) {
         return ChampionTask.of(champion, version, ghostLocations) instanceof MsPacManTask task
-                ? Optional.of(withRules(task.settings(), rules))
+                ? Optional.of(task.settings()
+                        .withRules(rules.from(task.settings().rules()))
+                        .withTrials(1))
                 : Optional.empty();
-    }
-
-    private static MsPacManTaskSettings withRules(MsPacManTaskSettings settings, Rules rules) {
-        return new MsPacManTaskSettings(
-                settings.version(),
-                1,
-                rules.from(settings.rules()),
-                settings.sensors(),
-                settings.division(),
-                settings.arbitration(),
-                settings.ghosts(),
-                settings.deterministic());
     }
 }

@@ -6,12 +6,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.stream.IntStream;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.MethodName;
 import mmneat.analysis.results.PublishedResults;
+import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.Sample;
 
 /** The paper's Figures 5a, 7a and 8a: the median champion's score in each generation. */
@@ -25,10 +25,7 @@ public final class LearningCurveFigure {
 
     /** All medians in one panel, as in the paper. */
     public static Figure overview(String version, List<Experiment> experiments, PublishedResults paper) {
-        String title = version.isEmpty()
-                ? ""
-                : version.substring(0, 1).toUpperCase(Locale.ROOT) + version.substring(1) + " task";
-        Panel panel = new Panel(title, "Generation", "Champion's score, median over runs");
+        Panel panel = new Panel(MethodName.title(version), "Generation", "Champion's score, median over runs");
         int last = lastGeneration(experiments);
         boolean published = false;
         for (int i = 0; i < experiments.size(); i++) {
@@ -85,7 +82,8 @@ public final class LearningCurveFigure {
             Experiment experiment = experiments.get(i);
             MethodStyle style = MethodStyle.of(experiment.method(), i);
             Panel panel = new Panel(
-                    experiment.label() + ", " + runs(experiment.runs().size()),
+                    experiment.label() + ", "
+                            + Numbers.counted(experiment.runs().size(), "run"),
                     "Generation",
                     i % Figure.columns(experiments.size()) == 0 ? "Champion's score" : "");
             panel.band(quantiles(experiment, 0.25), quantiles(experiment, 0.75), style.wash());
@@ -129,10 +127,6 @@ public final class LearningCurveFigure {
 
     static String behind(boolean published) {
         return published ? "; in grey the paper's (" + PublishedResults.SOURCE + ")" : "";
-    }
-
-    private static String runs(int count) {
-        return count == 1 ? "1 run" : count + " runs";
     }
 
     /** Places near the given ones, none closer to another than the gap. */

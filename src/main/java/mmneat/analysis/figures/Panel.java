@@ -136,7 +136,7 @@ final class Panel {
 
     /** As many decimals as tell a tenth of the range apart. */
     private static String pattern(double range) {
-        int decimals = range > 0 ? (int) Math.max(0, Math.ceil(1 - Math.log10(range))) : 0;
+        int decimals = (int) Math.max(0, Math.ceil(1 - Math.log10(range)));
         return decimals == 0 ? "#,##0" : "#,##0." + "0".repeat(decimals);
     }
 

@@ -37,11 +37,6 @@ public final class GameGif implements EvaluationObserver {
     private static final int DIRECTIONS = 4;
     private static final int BLACK = 0xff000000;
 
-    /** Colours of the modules, as on the replay page; further modules begin again. */
-    private static final int[] MODULES = {
-        0xffffb52e, 0xffa070ff, 0xff2fd0a5, 0xfff0529c, 0xffcfe86a, 0xffff7a2e, 0xff8adcff, 0xffc9d2f0
-    };
-
     /** Most modules that the line below has room for. */
     private static final int MOST_NAMED = 4;
 
@@ -56,7 +51,7 @@ public final class GameGif implements EvaluationObserver {
     private GameView view;
     private BufferedImage image;
     private BufferedImage frame;
-    private String title = "";
+    private String title;
     private int level;
     private int step;
     private int frames;
@@ -114,7 +109,9 @@ public final class GameGif implements EvaluationObserver {
         } else {
             int direction = game.getPacmanLastMoveMade().ordinal();
             int module = direction < DIRECTIONS ? player.lastModule(direction) : 0;
-            trail.add(new int[] {game.getPacmanCurrentNodeIndex(), MODULES[module % MODULES.length]});
+            trail.add(new int[] {
+                game.getPacmanCurrentNodeIndex(), ModuleColours.of(module).getRGB()
+            });
         }
         step++;
         if (step % stepsPerFrame == 0 && !game.gameOver()) {
@@ -158,13 +155,14 @@ public final class GameGif implements EvaluationObserver {
     private void paintLine(Graphics2D graphics) {
         graphics.setFont(FONT);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        int base = frame.getHeight() - LINE_HEIGHT / 3;
+        int margin = LINE_HEIGHT / 3;
+        int base = frame.getHeight() - margin;
         graphics.setColor(Color.WHITE);
         int width = graphics.getFontMetrics().stringWidth(title);
-        graphics.drawString(title, frame.getWidth() - width - LINE_HEIGHT / 3, base);
-        int x = LINE_HEIGHT / 3;
+        graphics.drawString(title, frame.getWidth() - width - margin, base);
+        int x = margin;
         for (int module = 0; module < Math.min(modules, MOST_NAMED); module++) {
-            graphics.setColor(new Color(MODULES[module]));
+            graphics.setColor(ModuleColours.of(module));
             graphics.fillRect(x, base - 11, 12, 12);
             String name = (module == 0 ? "module " : "") + (module + 1);
             graphics.drawString(name, x + 17, base);

@@ -12,6 +12,7 @@ public final class ReplayPage {
                 .withText("heading", replay.title().heading())
                 .withText("subtitle", replay.title().subtitle())
                 .withJson("replay", replay.json())
+                .withJson("moduleColours", ModuleColours.json())
                 .html();
     }
 }

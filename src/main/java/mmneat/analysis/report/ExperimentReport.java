@@ -86,7 +86,9 @@ public final class ExperimentReport {
                 .anyMatch(run -> replays.apply(experiment, run) != null));
         return new Page("report", "report.html")
                 .withText("title", title)
-                .withText("subtitle", counted(experiments.size(), "experiment") + ", " + counted(runs, "run"))
+                .withText(
+                        "subtitle",
+                        Numbers.counted(experiments.size(), "experiment") + ", " + Numbers.counted(runs, "run"))
                 .with(
                         "notes",
                         comparisons.stream()
@@ -109,10 +111,6 @@ public final class ExperimentReport {
                 .with("settings", settings())
                 .withText("replays", hasReplays ? "; the replays stand in the folder beside it" : "")
                 .html();
-    }
-
-    private static String counted(int count, String thing) {
-        return count + " " + thing + (count == 1 ? "" : "s");
     }
 
     private String statistics(ExperimentComparison comparison) {

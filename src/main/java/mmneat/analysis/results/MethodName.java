@@ -1,8 +1,9 @@
 package mmneat.analysis.results;
 
+import java.util.Locale;
 import java.util.Map;
 
-/** What the methods are called: in commands and folders, in the paper, and by the original's parameters. */
+/** What methods and versions of the task are called: in commands and folders, in the paper, and by the original's parameters. */
 public final class MethodName {
 
     private MethodName() {}
@@ -28,6 +29,13 @@ public final class MethodName {
             return startingModes == 1 ? "MMD" : "";
         }
         return startingModes + "M";
+    }
+
+    /** A version of the task as a heading, or an empty text for a task of the user's own. */
+    public static String title(String version) {
+        return version.isEmpty()
+                ? ""
+                : version.substring(0, 1).toUpperCase(Locale.ROOT) + version.substring(1) + " task";
     }
 
     /** The version of the task, or an empty text for a task of the user's own. */

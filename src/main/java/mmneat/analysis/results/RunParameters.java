@@ -1,19 +1,14 @@
 package mmneat.analysis.results;
 
-import com.fasterxml.jackson.core.type.TypeReference;
-import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
-import com.fasterxml.jackson.dataformat.javaprop.JavaPropsSchema;
 import java.io.IOException;
-import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.stream.Stream;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.PropertiesFile;
 import mmneat.experiment.UserError;
 
 /** The saved parameters of a run: ours, or the original's, whose lines {@code name:value} are properties as well. */
@@ -51,28 +46,9 @@ public final class RunParameters {
         if (file.isEmpty()) {
             return Map.of();
         }
-        try (Reader reader = Files.newBufferedReader(file.get())) {
-            Map<String, String> parameters = new JavaPropsMapper()
-                    .readerFor(new TypeReference<Map<String, String>>() {})
-                    .with(JavaPropsSchema.emptySchema().withoutPathSeparator())
-                    .readValue(reader);
-            WHOLE_NUMBERS.forEach(name -> require(file.get(), parameters, name, Integer::parseInt, "a whole number"));
-            NUMBERS.forEach(name -> require(file.get(), parameters, name, Double::parseDouble, "a number"));
-            return parameters;
-        } catch (IOException e) {
-            throw new UserError(file.get() + ": cannot be read: " + FileTrouble.reason(e), e);
-        }
-    }
-
-    private static void require(
-            Path file, Map<String, String> parameters, String name, Function<String, Number> reading, String allowed) {
-        String value = parameters.get(name);
-        try {
-            if (value != null) {
-                reading.apply(value);
-            }
-        } catch (NumberFormatException e) {
-            throw new UserError(file + ": " + name + "=" + value + ": must be " + allowed, e);
-        }
+        Map<String, String> parameters = PropertiesFile.read(file.get());
+        WHOLE_NUMBERS.forEach(name -> PropertiesFile.requireWholeNumber(file.get(), parameters, name));
+        NUMBERS.forEach(name -> PropertiesFile.requireNumber(file.get(), parameters, name));
+        return parameters;
     }
 }

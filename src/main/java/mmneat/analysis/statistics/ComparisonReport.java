@@ -138,7 +138,7 @@ public final class ComparisonReport {
                 .append('\n');
         if (comparison != null) {
             text.append("\nAll pairs: two-sided Mann-Whitney U, Bonferroni for ")
-                    .append(count(comparison.comparisons()))
+                    .append(Numbers.counted(comparison.comparisons(), "comparison"))
                     .append("; A is the chance that the first is higher\n\n")
                     .append(pairs().text())
                     .append("* corrected p below ")
@@ -147,15 +147,11 @@ public final class ComparisonReport {
         }
         if (hasPaper()) {
             text.append("\nOurs against the paper's champions (")
-                    .append(count(againstPaper.size()))
+                    .append(Numbers.counted(againstPaper.size(), "comparison"))
                     .append(")\n\n")
                     .append(againstPaper().text());
         }
         return text.toString();
-    }
-
-    private static String count(int comparisons) {
-        return comparisons + (comparisons == 1 ? " comparison" : " comparisons");
     }
 
     /** All tables for LaTeX. */

@@ -19,6 +19,11 @@ public final class Numbers {
                         .replaceFirst("\\.$", "");
     }
 
+    /** A number of things, "1 run" or "2 runs". */
+    public static String counted(int count, String thing) {
+        return count + " " + thing + (count == 1 ? "" : "s");
+    }
+
     /** A probability with two or three significant digits; scientific below 0.0001. */
     public static String probability(double p) {
         if (Double.isNaN(p)) {

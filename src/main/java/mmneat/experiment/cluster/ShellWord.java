@@ -12,7 +12,7 @@ public final class ShellWord {
     private ShellWord() {}
 
     /** The word itself, or in single quotes if the shell would see anything special in it. */
-    public static String quote(String word) {
+    static String quote(String word) {
         return PLAIN.matcher(word).matches() ? word : "'" + word.replace("'", "'\\''") + "'";
     }
 

@@ -92,11 +92,6 @@ function listEvents({ steps, column, deaths, outcomes, gameStarts, total }) {
   return [...lost, ...ends].sort((a, b) => a.step - b.step);
 }
 
-/*
- * One colour per module, told apart by colour-blind readers and, by brightness, in grey. Blue is left to the walls, the edible
- * ghosts and the exciting signals, red to the inhibiting ones.
- */
-const MODULE_COLOURS = ["#ffb52e", "#a070ff", "#2fd0a5", "#f0529c", "#cfe86a", "#ff7a2e", "#8adcff", "#c9d2f0"];
 const moduleColour = module => module === WALL ? "#6b7496" : MODULE_COLOURS[module % MODULE_COLOURS.length];
 
 /** Makes a canvas as fine as the screen; returns its context in CSS pixels, or null while it is not shown. */

@@ -1,3 +1,6 @@
+/** Below the strip stand the names of its parts. */
+const NAMES_HEIGHT = 16;
+
 /* The whole game in a strip: the module in charge, when ghosts were edible, the score; it is also the scrubber. */
 class Timeline {
   constructor(recording, canvas) {
@@ -16,7 +19,7 @@ class Timeline {
     c.drawImage(this.picture, 0, 0);
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     const x = this.x(at, width);
-    c.fillStyle = "#04060daa"; c.fillRect(x, 0, width - x, height - 16);
+    c.fillStyle = "#04060daa"; c.fillRect(x, 0, width - x, height - NAMES_HEIGHT);
     c.fillStyle = "#fff"; c.fillRect(x - 1, 0, 2, height);
     c.beginPath(); c.arc(x, height / 2, 6, 0, 7); c.fill();
   }
@@ -34,7 +37,7 @@ class Timeline {
     const c = picture.getContext("2d");
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.fillStyle = "#0e1428"; c.fillRect(0, 0, width, height);
-    const band = height - 16;
+    const band = height - NAMES_HEIGHT;
     for (let px = 8; px < width - 8; px++) {
       const from = this.step(px, width), to = Math.max(from + 1, this.step(px + 1, width));
       const votes = new Map();

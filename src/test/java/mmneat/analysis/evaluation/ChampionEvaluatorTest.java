@@ -35,11 +35,15 @@ class ChampionEvaluatorTest {
     @BeforeEach
     void runWithAChampion() throws IOException {
         run = Files.createDirectories(base.resolve("2M0"));
-        Files.writeString(run.resolve("parameters.properties"), "task=blended\nmethod=2M\nrunNumber=0\n");
+        writeParameters("");
         Files.writeString(
                 run.resolve("champion.json"),
                 GenotypeJson.write(new InitialNetworks(30, ModuleLayout.withPreferenceNeurons(2, 1))
                         .create(7, new ResumableRandom(5))));
+    }
+
+    private void writeParameters(String more) throws IOException {
+        Files.writeString(run.resolve("parameters.properties"), "task=blended\nmethod=2M\nrunNumber=0\n" + more + "\n");
     }
 
     private ChampionEvaluation evaluate(Rules rules, int games, int threads) throws InterruptedException {
@@ -72,17 +76,14 @@ class ChampionEvaluatorTest {
         evaluate(Rules.TRAINING, 20, 1);
         String table = table();
         Files.delete(run.resolve("evaluation-training.csv"));
-        Files.writeString(
-                run.resolve("parameters.properties"), "task=blended\nmethod=2M\nrunNumber=0\ndeterministic=true\n");
+        writeParameters("deterministic=true");
         evaluate(Rules.TRAINING, 20, 1);
         assertThat(table()).isEqualTo(table);
     }
 
     @Test
     void gamesThatARuleOfPowerPillsEnds_areTold() throws Exception {
-        Files.writeString(
-                run.resolve("parameters.properties"),
-                "task=blended\nmethod=2M\nrunNumber=0\ndieOnImproperPowerPillEating=true\n");
+        writeParameters("dieOnImproperPowerPillEating=true");
         Files.writeString(
                 run.resolve("champion.json"),
                 GenotypeJson.write(ShippedChampions.read("blended").genotype()));
