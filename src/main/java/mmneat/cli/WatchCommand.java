@@ -46,7 +46,10 @@ final class WatchCommand extends WordCommand implements Runnable {
                         "FILE",
                         "the page to write, or an animated picture if it ends in .gif (default: the task's and the"
                                 + " network's name with .html, in this folder)"),
-                new Word("window", "true", "shows the game in a window instead of writing it (default false)"),
+                new Word(
+                        "window",
+                        "true",
+                        "shows the game in a window instead of writing it; space halts it (default false)"),
                 new Word("delay", "40", "milliseconds per step in the window (default 40)"),
                 new Word("seed", "0", "which game: the same seed gives the same game (default 0)"),
                 ChampionWords.RULES,

@@ -1,5 +1,16 @@
 package mmneat.analysis.replay;
 
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Toolkit;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.KeyStroke;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;
 import mmneat.mspacman.GameEnd;
@@ -9,19 +20,28 @@ import mmneat.mspacman.TrialGame;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import pacman.game.Game;
-import pacman.game.GameView;
 
-/** Shows a trial of a network in a window while it is played. Closing the window ends the program. */
+/**
+ * Shows a trial of a network while it is played: its games as {@link TrailPicture} draws them, one after another in one window. The
+ * space bar halts the game and lets it go on; closing the window ends the program.
+ */
 public final class GameWindow implements EvaluationObserver {
 
-    private static final int LAST_LOOK_MILLISECONDS = 2000;
+    private static final int LOOK_MILLISECONDS = 2000;
 
+    /** The window opens at the largest whole scale that leaves this share of the screen free. */
+    private static final double LARGEST_SHARE_OF_SCREEN = 0.85;
+
+    private final int modules;
     private final int millisecondsPerStep;
-    private GameView view;
-    private int level;
+    private final Canvas canvas = new Canvas();
+    private JFrame frame;
+    private TrailPicture picture;
+    private String title;
     private int score;
 
-    private GameWindow(int millisecondsPerStep) {
+    private GameWindow(int modules, int millisecondsPerStep) {
+        this.modules = modules;
         this.millisecondsPerStep = millisecondsPerStep;
     }
 
@@ -32,33 +52,60 @@ public final class GameWindow implements EvaluationObserver {
      * @return points of all its games
      */
     public static int show(MsPacManTaskSettings settings, Genotype genotype, long seed, int millisecondsPerStep) {
-        GameWindow window = new GameWindow(millisecondsPerStep);
+        GameWindow window = new GameWindow(genotype.modules(), millisecondsPerStep);
         new MsPacManTask(settings.forSingleGames()).evaluate(genotype, new ResumableRandom(seed), window);
+        window.frame.dispose();
         return window.score;
     }
 
     @Override
     public void gameStarted(TrialGame setting, Game game) {
-        level = game.getCurrentLevel();
-        view = new GameView(game).showGame();
+        picture = new TrailPicture(game, modules);
+        title = GameRecording.name(setting);
+        if (frame == null) {
+            open();
+        }
+        show(game);
+        pause(LOOK_MILLISECONDS);
+    }
+
+    private void open() {
+        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+        int scale = picture.scaleWithin(
+                (int) (LARGEST_SHARE_OF_SCREEN * screen.width), (int) (LARGEST_SHARE_OF_SCREEN * screen.height));
+        BufferedImage image = picture.newImage(scale);
+        canvas.setPreferredSize(new Dimension(image.getWidth(), image.getHeight()));
+        frame = new JFrame("Ms. Pac-Man (space: halt, go on)");
+        frame.add(canvas);
+        frame.pack();
+        frame.setLocationRelativeTo(null);
+        frame.setDefaultCloseOperation(JFrame.EXIT_ON_CLOSE);
+        frame.setVisible(true);
     }
 
     @Override
     public void stepPlayed(Game game, DirectionEvaluator player) {
-        if (game.gameOver() && game.getCurrentLevel() != level) {
-            // The game is at the start of a level that is never played; the picture stays at the end of the last one.
-            return;
+        if (picture.add(game, player)) {
+            show(game);
+            pause(millisecondsPerStep);
+            canvas.waitWhileHalted();
         }
-        level = game.getCurrentLevel();
-        view.repaint();
-        pause(millisecondsPerStep);
     }
 
     @Override
     public void gameOver(TrialGame setting, Game game, GameEnd end, DirectionEvaluator player) {
         score += game.getScore();
-        pause(LAST_LOOK_MILLISECONDS);
-        view.getFrame().dispose();
+        title = GameRecording.outcome(game, end);
+        show(game);
+        pause(LOOK_MILLISECONDS);
+    }
+
+    private void show(Game game) {
+        picture.paint(game);
+        int scale = picture.scaleWithin(canvas.getWidth(), canvas.getHeight());
+        BufferedImage image = picture.newImage(scale);
+        picture.draw(image, scale, title);
+        canvas.show(image);
     }
 
     private static void pause(int milliseconds) {
@@ -66,6 +113,54 @@ public final class GameWindow implements EvaluationObserver {
             Thread.sleep(milliseconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Where the event thread shows the picture that the playing thread drew last. */
+    private static final class Canvas extends JComponent {
+
+        private transient BufferedImage shown;
+        private boolean halted;
+
+        Canvas() {
+            String action = "halt or go on";
+            getInputMap(WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0), action);
+            getActionMap().put(action, new AbstractAction() {
+                @Override
+                public void actionPerformed(ActionEvent event) {
+                    haltOrGoOn();
+                }
+            });
+        }
+
+        synchronized void show(BufferedImage image) {
+            shown = image;
+            repaint();
+        }
+
+        synchronized void waitWhileHalted() {
+            try {
+                while (halted) {
+                    wait();
+                }
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        private synchronized void haltOrGoOn() {
+            halted = !halted;
+            notifyAll();
+        }
+
+        @Override
+        protected synchronized void paintComponent(Graphics graphics) {
+            graphics.setColor(Color.BLACK);
+            graphics.fillRect(0, 0, getWidth(), getHeight());
+            if (shown != null) {
+                graphics.drawImage(
+                        shown, (getWidth() - shown.getWidth()) / 2, (getHeight() - shown.getHeight()) / 2, null);
+            }
         }
     }
 }
