@@ -66,7 +66,7 @@ final class Panel {
         style.setLocale(java.util.Locale.ROOT);
         style.setToolTipsEnabled(false);
         style.setPlotContentSize(1.0);
-        style.setXAxisTickMarkSpacingHint(66);
+        style.setXAxisTickMarkSpacingHint(76);
         style.setYAxisTickMarkSpacingHint(44);
         style.setMarkerSize(8);
     }
