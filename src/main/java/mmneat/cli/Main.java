@@ -3,7 +3,9 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -62,7 +64,16 @@ public final class Main implements Callable<Integer> {
         if (arguments.length == 0 || !MAY_OPEN_A_WINDOW.contains(arguments[0])) {
             Display.drawWithoutScreen();
         }
-        System.exit(commandLine().execute(arguments));
+        CommandLine main = commandLine();
+        if (!Files.isDirectory(Path.of("").toAbsolutePath())) {
+            main.getErr()
+                    .println(
+                            "mmneat: this folder's name has letters that the locale cannot tell, so that files would be"
+                                    + " written beside it; set LC_ALL=C.UTF-8 or move to another folder");
+            main.getErr().flush();
+            System.exit(ExitCode.USAGE);
+        }
+        System.exit(main.execute(arguments));
     }
 
     /** The whole command line; tests set its output and error writers. */
