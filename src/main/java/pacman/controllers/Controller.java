@@ -30,6 +30,9 @@ public abstract class Controller<T> implements Runnable {
     /** Grows with each revival: a worker that is left over from an earlier timed game stores nothing in this one. */
     private volatile int revivals;
 
+    /** Grows with each end: a supervisor that sleeps through an end and a revival serves no later game. */
+    private volatile int terminations;
+
     /** A controller that is ready for a timed game. */
     public Controller() {
         alive = true;
@@ -39,6 +42,7 @@ public abstract class Controller<T> implements Runnable {
     public final void terminate() {
         synchronized (this) {
             alive = false;
+            terminations++;
             signalled = true;
             notifyAll();
         }
@@ -79,14 +83,18 @@ public abstract class Controller<T> implements Runnable {
     /** The supervisor: starts a worker per update, until {@link #terminate}. */
     @Override
     public final void run() {
+        int before = terminations;
         while (alive) {
             synchronized (this) {
                 try {
-                    while (!signalled) {
+                    while (!signalled && terminations == before) {
                         wait();
                     }
                 } catch (InterruptedException e) {
                     Thread.currentThread().interrupt();
+                    return;
+                }
+                if (alive && terminations != before) {
                     return;
                 }
                 if (!busy) {
@@ -104,7 +112,12 @@ public abstract class Controller<T> implements Runnable {
 
     /** One worker's life. If the decision throws, the busy flag stays up, so that no other is started. */
     private void decide(int revival) {
-        busy = true;
+        synchronized (this) {
+            if (revival != revivals) {
+                return;
+            }
+            busy = true;
+        }
         T move = getMove(game, timeDue);
         synchronized (this) {
             if (revival == revivals) {

@@ -165,6 +165,52 @@ class ControllerTest {
         assertThat(nextAsked()).isSameAs(second);
     }
 
+    /** Answers at once. */
+    private static final class Quick extends Controller<MOVE> {
+        @Override
+        public MOVE getMove(Game game, long timeDue) {
+            return MOVE.UP;
+        }
+    }
+
+    @Test
+    void revivedController_alwaysDecidesAgain_whateverTheLastDecisionOfTheGameBeforeDoes() throws InterruptedException {
+        Quick quick = new Quick();
+        for (int cycle = 0; cycle < 1000; cycle++) {
+            Thread game = new Thread(quick);
+            game.start();
+            // A worker of the game before may still be at it when the first update comes: then the next one counts.
+            while (!quick.hasComputed()) {
+                quick.update(first, 0);
+                for (int look = 0; look < 100 && !quick.hasComputed(); look++) {
+                    Thread.onSpinWait();
+                }
+            }
+            quick.terminate();
+            game.join();
+            quick.threadRevive();
+        }
+    }
+
+    @Test
+    void supervisorThatSleepsThroughEndAndRevival_servesNoLaterGame() throws InterruptedException {
+        start();
+        awaitWaitingSupervisor();
+        Thread sleeper = supervisor;
+        synchronized (controller) {
+            // The sleeper cannot look before the lock is free.
+            controller.terminate();
+            controller.threadRevive();
+        }
+        sleeper.join();
+        start();
+        controller.update(second, 0);
+        assertThat(nextAsked()).isSameAs(second);
+        controller.allowed.release();
+        awaitComputed();
+        assertThat(controller.asked).isEmpty();
+    }
+
     @Test
     void leftOverDecision_doesNotAnswerInTheNextGame() throws InterruptedException {
         start();

@@ -1,7 +1,6 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
-import pacman.controllers.DirectGhosts;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -11,7 +10,7 @@ import pacman.game.Game;
  * Each ghost heads for Ms. Pac-Man with a certain probability and moves at random otherwise. Source: spec/controllers.md,
  * section 5.2.
  */
-public final class AggressiveGhosts extends GhostTeam implements DirectGhosts {
+public final class AggressiveGhosts extends ForgetfulGhostTeam {
 
     /** Default of the original's parameter {@code aggressiveGhostConsistency}. */
     private static final double DEFAULT_CONSISTENCY = 0.9;

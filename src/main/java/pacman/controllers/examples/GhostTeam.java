@@ -8,7 +8,6 @@ import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
-import pacman.game.GhostMoves;
 
 /**
  * What the example ghost teams share: each ghost that requires an action is asked in turn, and the answers go into one
@@ -31,7 +30,7 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
 
     /** Whether the map is emptied before each decision; if not, it keeps the moves of ghosts that are not asked. */
     boolean forgetsLastMoves() {
-        return true;
+        return false;
     }
 
     @Override
@@ -47,21 +46,6 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
         for (GHOST ghost : order()) {
             if (game.doesGhostRequireAction(ghost)) {
                 moves.put(ghost, choose(game, ghost, random));
-            }
-        }
-        return moves;
-    }
-
-    /** For a team that forgets last moves: {@link #decide}, without the map. */
-    public final int decideMoves(Game game, ResumableRandom random) {
-        int moves = GhostMoves.NONE;
-        int asked = game.ghostsRequiringAction();
-        if (asked == 0) {
-            return moves;
-        }
-        for (GHOST ghost : order()) {
-            if ((asked >>> ghost.ordinal() & 1) != 0) {
-                moves = GhostMoves.with(moves, ghost, choose(game, ghost, random));
             }
         }
         return moves;

@@ -1,7 +1,6 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
-import pacman.controllers.DirectGhosts;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -14,7 +13,7 @@ import pacman.game.Game;
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 4.1; spec/controllers.md, section 5.4.
  */
-public class Legacy extends GhostTeam implements DirectGhosts {
+public class Legacy extends ForgetfulGhostTeam {
 
     private static final GHOST[] ORDER = {GHOST.BLINKY, GHOST.INKY, GHOST.PINKY, GHOST.SUE};
 

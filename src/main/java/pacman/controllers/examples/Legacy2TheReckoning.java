@@ -35,11 +35,6 @@ public class Legacy2TheReckoning extends GhostTeam {
         return towardsPacMan(game, ghost, DM.PATH);
     }
 
-    @Override
-    boolean forgetsLastMoves() {
-        return false;
-    }
-
     /** Pairs with a ghost in the lair have distance -1, or 0 if both are there. */
     private static boolean areCrowded(Game game) {
         float sum = 0;

@@ -1,7 +1,6 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
-import pacman.controllers.DirectGhosts;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
@@ -9,7 +8,7 @@ import pacman.game.Game;
 /**
  * Each ghost that may choose draws one of the five moves. Source: spec/controllers.md, section 5.2.
  */
-public final class RandomGhosts extends GhostTeam implements DirectGhosts {
+public final class RandomGhosts extends ForgetfulGhostTeam {
 
     @Override
     MOVE choose(Game game, GHOST ghost, ResumableRandom random) {

@@ -30,11 +30,6 @@ public final class StarterGhosts extends GhostTeam {
         return possible[random.nextInt(possible.length)];
     }
 
-    @Override
-    boolean forgetsLastMoves() {
-        return false;
-    }
-
     /** Quirk: unlike the other teams this one is not revived, and so decides nothing in a second timed game. */
     @Override
     public void reset() {
