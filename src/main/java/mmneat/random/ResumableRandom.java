@@ -1,16 +1,19 @@
 package mmneat.random;
 
-import java.util.random.RandomGenerator;
+import java.util.Random;
 
 /**
  * The number sequence of {@link java.util.Random}, with a state that can be read and set.
  *
  * <p>Every draw gives the same number as {@code java.util.Random} with the same seed, the second value of a pair of
- * Gaussians included. Unlike it, this class has no locks or atomic variables: one generator belongs to one thread.
+ * Gaussians included. Unlike there, drawing takes no locks and no atomic operations: one generator belongs to one thread. It is a
+ * {@code java.util.Random} because controllers of the competition take {@code Game.rnd} for one.
  *
  * <p>Source: spec/networks.md, section 2; the documented algorithm of {@code java.util.Random}.
  */
-public final class ResumableRandom implements RandomGenerator {
+public final class ResumableRandom extends Random {
+
+    private static final long serialVersionUID = 1;
 
     private static final long MULTIPLIER = 0x5DEECE66DL;
     private static final long ADDEND = 0xBL;
@@ -26,13 +29,12 @@ public final class ResumableRandom implements RandomGenerator {
 
     /** A generator that continues as {@code new java.util.Random(seed)} would. */
     public ResumableRandom(long seed) {
-        setSeed(seed);
+        super(seed); // which calls setSeed
     }
 
     private ResumableRandom(ResumableRandom other) {
-        bits = other.bits;
-        cachedGaussian = other.cachedGaussian;
-        hasCachedGaussian = other.hasCachedGaussian;
+        super(0);
+        continueAs(other);
     }
 
     /** A generator that continues from {@code state}. */
@@ -43,6 +45,7 @@ public final class ResumableRandom implements RandomGenerator {
     }
 
     /** Starts the sequence of {@code new java.util.Random(seed)}; a cached Gaussian is dropped. */
+    @Override
     public void setSeed(long seed) {
         bits = (seed ^ MULTIPLIER) & MASK;
         hasCachedGaussian = false;
@@ -76,7 +79,8 @@ public final class ResumableRandom implements RandomGenerator {
         return bits;
     }
 
-    private int next(int count) {
+    @Override
+    protected int next(int count) {
         bits = (bits * MULTIPLIER + ADDEND) & MASK;
         return (int) (bits >>> (48 - count));
     }

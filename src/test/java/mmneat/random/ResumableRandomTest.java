@@ -3,7 +3,11 @@ package mmneat.random;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -38,6 +42,26 @@ class ResumableRandomTest {
                 default -> assertThat(actual.nextGaussian()).isEqualTo(expected.nextGaussian());
             }
         }
+    }
+
+    /** Controllers of the competition hand {@code game.rnd} to methods that want a {@code java.util.Random}. */
+    @Test
+    void generator_servesWhereverAJavaUtilRandomIsWanted() {
+        Random actual = new ResumableRandom(5);
+        Random expected = new Random(5);
+        List<Integer> shuffled = new ArrayList<>(IntStream.range(0, 100).boxed().toList());
+        List<Integer> asExpected = new ArrayList<>(shuffled);
+        Collections.shuffle(shuffled, actual);
+        Collections.shuffle(asExpected, expected);
+        assertThat(shuffled).isEqualTo(asExpected);
+        assertThat(actual.ints(50, -3, 1000).toArray())
+                .isEqualTo(expected.ints(50, -3, 1000).toArray());
+        assertThat(actual.doubles(50).toArray()).isEqualTo(expected.doubles(50).toArray());
+        assertThat(actual.nextInt(7, 19)).isEqualTo(expected.nextInt(7, 19));
+        assertThat(actual.nextGaussian(3, 2)).isEqualTo(expected.nextGaussian(3, 2));
+        actual.setSeed(9);
+        expected.setSeed(9);
+        assertThat(actual.nextLong()).isEqualTo(expected.nextLong());
     }
 
     @Test
