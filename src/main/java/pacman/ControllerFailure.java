@@ -5,27 +5,38 @@ import pacman.controllers.Controller;
 
 /**
  * Says which controller threw an exception, and when. It travels as a suppressed exception of the controller's own, which
- * leaves the executor unchanged, as in the original.
+ * leaves the executor unchanged, as in the original; an exception that keeps no others leaves it as this one's cause.
  */
 public final class ControllerFailure extends RuntimeException {
 
     private final String controllerName;
     private final int totalTime;
 
-    ControllerFailure(Controller<?> controller, int totalTime) {
-        super(controller.getClass().getName() + " threw this at game time " + totalTime, null, false, false);
+    private ControllerFailure(Controller<?> controller, int totalTime, Throwable cause) {
+        super(controller.getClass().getName() + " threw this at game time " + totalTime, cause, false, false);
         controllerName = controller.getClass().getName();
         this.totalTime = totalTime;
     }
 
-    /** The report that an exception out of a game carries; empty if it did not come from a controller. */
-    public static Optional<ControllerFailure> in(Throwable failure) {
-        for (Throwable suppressed : failure.getSuppressed()) {
-            if (suppressed instanceof ControllerFailure report) {
-                return Optional.of(report);
-            }
+    /** Adds a report to what a controller threw; throws one that has it as its cause if it cannot be added. */
+    static void report(Throwable failure, Controller<?> controller, int totalTime) {
+        int before = failure.getSuppressed().length;
+        failure.addSuppressed(new ControllerFailure(controller, totalTime, null));
+        if (failure.getSuppressed().length == before) {
+            throw new ControllerFailure(controller, totalTime, failure);
         }
-        return Optional.empty();
+    }
+
+    /**
+     * The report that an exception out of a game carries; empty if it did not come from a controller. An exception that was thrown
+     * several times carries several reports, the last of which counts.
+     */
+    public static Optional<ControllerFailure> in(Throwable failure) {
+        ControllerFailure last = failure instanceof ControllerFailure report ? report : null;
+        for (Throwable suppressed : failure.getSuppressed()) {
+            last = suppressed instanceof ControllerFailure report ? report : last;
+        }
+        return Optional.ofNullable(last);
     }
 
     /** Class name of the controller that threw. */

@@ -124,7 +124,7 @@ final class UntimedRun {
                 directMoves = directGhosts.decideMoves(game, scratch);
             }
         } catch (Throwable failure) {
-            failure.addSuppressed(new ControllerFailure(asked, game.getTotalTime()));
+            ControllerFailure.report(failure, asked, game.getTotalTime());
             throw failure;
         }
         if (directGhosts == null) {

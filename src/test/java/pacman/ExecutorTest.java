@@ -23,10 +23,12 @@ import pacman.controllers.KeyBoardInput;
 import pacman.controllers.examples.Legacy;
 import pacman.controllers.examples.NearestPillPacManVS;
 import pacman.controllers.examples.StarterPacMan;
+import pacman.game.Constants;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
+import pacman.game.GhostLocations;
 
 /** The run modes: spec/controllers.md, section 6. */
 @Timeout(120)
@@ -100,6 +102,108 @@ class ExecutorTest {
                     assertThat(report.controllerName()).isEqualTo(Throwing.class.getName());
                     assertThat(report.totalTime()).isZero();
                 });
+    }
+
+    /** Keeps no suppressed exceptions, and is thrown again and again. */
+    private static final class Light extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        Light() {
+            super("light", null, false, false);
+        }
+    }
+
+    private static Controller<MOVE> throwing(RuntimeException failure) {
+        return new Controller<>() {
+            @Override
+            public MOVE getMove(Game game, long timeDue) {
+                throw failure;
+            }
+        };
+    }
+
+    @Test
+    void exceptionThatKeepsNoReport_isTheReportsCause() {
+        RuntimeException light = new Light();
+        assertThatThrownBy(() -> executor.runExperiment(throwing(light), new Legacy(), new Game(0)))
+                .isInstanceOf(ControllerFailure.class)
+                .hasCause(light)
+                .satisfies(
+                        failure -> assertThat(ControllerFailure.in(failure)).containsSame((ControllerFailure) failure));
+    }
+
+    @Test
+    void exceptionThatIsThrownAgain_isReportedAnew() {
+        RuntimeException same = new IllegalStateException("again");
+        Game game = new Game(0);
+        assertThatThrownBy(() -> executor.runExperiment(throwing(same), new Legacy(), game))
+                .isSameAs(same);
+        while (game.getTotalTime() < 7) {
+            game.advanceGame(MOVE.LEFT, null);
+        }
+        assertThatThrownBy(() -> executor.runExperiment(throwing(same), new Legacy(), game))
+                .isSameAs(same);
+        assertThat(ControllerFailure.in(same).orElseThrow().totalTime()).isEqualTo(7);
+    }
+
+    /** Notes by when its answers are wanted; takes its time for the first. */
+    private static final class Punctual<T> extends Controller<T> {
+        private final List<Long> due = new ArrayList<>();
+
+        @Override
+        public T getMove(Game game, long timeDue) {
+            if (due.isEmpty()) {
+                try {
+                    Thread.sleep(20);
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+            due.add(timeDue);
+            return null;
+        }
+    }
+
+    @Test
+    void batch_givesBothControllersTheirOwnForty_milliseconds() {
+        Punctual<MOVE> pacMan = new Punctual<>();
+        Punctual<EnumMap<GHOST, MOVE>> ghosts = new Punctual<>();
+        printed(() -> executor.runExperiment(pacMan, ghosts, 1));
+        assertThat(ghosts.due.get(0) - pacMan.due.get(0)).isGreaterThanOrEqualTo(19);
+    }
+
+    @Test
+    void fixedTime_waitsForTheRestOfEachDelay() {
+        Game game = mmneatGame(0);
+        long start = System.nanoTime();
+        executor.runGameTimedSpeedOptimised(new Silent(), new NoGhosts(), true, false, game);
+        long milliseconds = (System.nanoTime() - start) / 1_000_000;
+        assertThat(game.getTotalTime()).isEqualTo(11);
+        assertThat(milliseconds).isGreaterThanOrEqualTo(10L * Constants.DELAY);
+    }
+
+    @Test
+    void supervisors_endWithTheGame() throws InterruptedException {
+        executor.runGameTimedSpeedOptimised(new Silent(), new NoGhosts(), false, false, mmneatGame(0));
+        List<String> names =
+                List.of("supervisor of " + Silent.class.getName(), "supervisor of " + NoGhosts.class.getName());
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (names.contains(thread.getName())) {
+                thread.join();
+            }
+        }
+    }
+
+    @Test
+    void recordingOfAGameThatWasWon_isReplayedToItsEnd() {
+        for (int powerPill = 0; powerPill < 4; powerPill++) {
+            GameRules rules = GameRules.isolatedGhosts(powerPill, GhostLocations.shipped());
+            Game game = new Game(powerPill, rules, new ResumableRandom(powerPill));
+            String text = executor.runGameRecorded(new StarterPacMan(), new Legacy(), game);
+            Game last = executor.replayGame(new Recording(text.lines().toList()), rules, false, 0);
+            assertThat(last.getCurrentLevel()).isGreaterThanOrEqualTo(rules.maximumLevel());
+            assertThat(last.getScore()).isEqualTo(game.getScore());
+        }
     }
 
     @Test

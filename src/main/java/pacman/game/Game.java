@@ -518,11 +518,7 @@ public final class Game {
      * in which the nodes of Ms. Pac-Man and the ghosts mean nothing.
      */
     int shownMazeIndex() {
-        int levelsBeyond = state.level - (state.rules.maximumLevel() - 1);
-        return levelsBeyond <= 0 || state.rules.onlyMaze() >= 0
-                ? state.mazeIndex
-                : Math.floorMod(
-                        state.mazeIndex - levelsBeyond, state.rules.mazes().count());
+        return state.shownMazeIndex();
     }
 
     /** The maze of {@link #shownMazeIndex}. */
@@ -626,7 +622,7 @@ public final class Game {
     /** Length of {@link #getShortestPath(int, int, MOVE)}. */
     public int getShortestPathDistance(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade) {
         return MoveQueries.directedLength(
-                state.tables, fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, lastMoveMade));
+                state.tables, fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, toNodeIndex, lastMoveMade));
     }
 
     /** A path that may start in any direction: the nodes after the start, the target last. */
@@ -636,12 +632,14 @@ public final class Game {
 
     /** A path that does not turn back: the nodes after the start, the target last; not always the shortest. */
     public int[] getShortestPath(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade) {
-        return state.tables.paths().directedPath(fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, lastMoveMade));
+        return state.tables
+                .paths()
+                .directedPath(fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, toNodeIndex, lastMoveMade));
     }
 
-    /** Null is allowed at a junction and in the lair, where it forbids nothing. */
-    private int lastMove(int node, MOVE lastMoveMade) {
-        if (lastMoveMade == null && state.graph.degree(node) == 2) {
+    /** Null is allowed where it forbids nothing: at a junction, in the lair, and on the way to where one is. */
+    private int lastMove(int from, int to, MOVE lastMoveMade) {
+        if (lastMoveMade == null && from != to && state.graph.degree(from) == 2) {
             throw new NullPointerException("a path that must not turn back needs the last move made");
         }
         return GhostMoves.request(lastMoveMade);

@@ -184,13 +184,11 @@ final class GameState {
         lureDistance = other.lureDistance;
         if (complete) {
             switches = other.switches;
-            timeOfLastPowerPill = other.timeOfLastPowerPill;
             pacManEaten = other.pacManEaten;
             pillEaten = other.pillEaten;
             powerPillEaten = other.powerPillEaten;
         } else {
             switches = other.switches & SWITCHES_IN_COPIES;
-            timeOfLastPowerPill = -1;
         }
     }
 
@@ -406,6 +404,14 @@ final class GameState {
         }
         resetPositions();
         return true;
+    }
+
+    /** Number of the maze that everybody is in: after the last level {@link #mazeIndex} is that of the next one. */
+    int shownMazeIndex() {
+        int levelsBeyond = level - (rules.maximumLevel() - 1);
+        return levelsBeyond <= 0 || rules.onlyMaze() >= 0
+                ? mazeIndex
+                : Math.floorMod(mazeIndex - levelsBeyond, rules.mazes().count());
     }
 
     /** An edible or lair time of the first level, shortened for the current one. */

@@ -205,8 +205,10 @@ final class StateText {
         }
     }
 
+    /** After the last level, nodes are still those of its maze; a game with more levels goes on in the next. */
     private int nextNode(GameState state) {
-        return Objects.checkIndex(nextInt(), state.graph.nodeCount());
+        int lastNodes = state.rules.mazes().get(state.shownMazeIndex()).graph().nodeCount();
+        return Objects.checkIndex(nextInt(), Math.max(state.graph.nodeCount(), lastNodes));
     }
 
     private int nextInt() {

@@ -25,6 +25,16 @@ class GameRulesTest {
     }
 
     @Test
+    void presets_areTheirFrameworks() {
+        assertThat(GameRules.fourMaze().levelTimeLimit()).isEqualTo(50_000);
+        assertThat(GameRules.fourMaze().maximumLevel()).isEqualTo(4);
+        assertThat(GameRules.mpmVsGhosts().maximumLevel()).isEqualTo(16);
+        assertThat(GameRules.mpmVsGhosts().levelTimeLimit()).isEqualTo(3000);
+        assertThat(GameRules.competition().levelTimeLimit()).isEqualTo(4000);
+        assertThat(GameRules.competition().maximumLevel()).isEqualTo(Integer.MAX_VALUE);
+    }
+
+    @Test
     void valueOutOfRange_isNamed() {
         assertThatThrownBy(() -> GameRules.blended().with().lives(0).build())
                 .isInstanceOf(IllegalArgumentException.class)

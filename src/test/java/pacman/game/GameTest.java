@@ -3,6 +3,7 @@ package pacman.game;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.function.LongFunction;
@@ -299,6 +300,65 @@ class GameTest {
         assertThat(game.getShortestPathDistance(5, -1))
                 .as("the original's quirk")
                 .isZero();
+    }
+
+    @Test
+    void restart_givesTheChanceOfAnExtraLifeAgain() {
+        Game game = new Game(3);
+        List<String> fields = new ArrayList<>(List.of(game.getGameState().split(",")));
+        int lives = fields.indexOf(MOVE.LEFT.name()) + 1;
+        assertThat(fields.get(lives)).isEqualTo("3");
+        fields.set(lives + 1, "true");
+        game.setGameState(String.join(",", fields));
+        game.restart(3);
+        assertThat(game.getGameState()).isEqualTo(new Game(3).getGameState());
+    }
+
+    @Test
+    void explicitNullForAGhost_staysNull_whileAMissingOneBecomesNeutral() {
+        Game game = new Game(3);
+        EnumMap<GHOST, MOVE> moves = new EnumMap<>(GHOST.class);
+        moves.put(GHOST.SUE, null);
+        game.advanceGame(MOVE.LEFT, moves);
+        assertThat(moves).containsEntry(GHOST.SUE, null).containsEntry(GHOST.INKY, MOVE.NEUTRAL);
+    }
+
+    @Test
+    void finishedGame_givesAStateThatCanBeReadAgain() {
+        GameRules rules = GameRules.blended()
+                .with()
+                .levelTimeLimit(50)
+                .fatalTimeLimit(false)
+                .build();
+        for (int onlyMaze = -1; onlyMaze < 4; onlyMaze++) {
+            GameRules here = rules.with().onlyMaze(onlyMaze).build();
+            Game game = new Game(1, here, new ResumableRandom(1));
+            while (!game.gameOver()) {
+                game.advanceGame(MOVE.LEFT, null);
+            }
+            assertThat(game.getCurrentLevel()).isEqualTo(4);
+            Game again = new Game(0, here, new ResumableRandom(0));
+            again.setGameState(game.getGameState());
+            assertThat(again.getGameState()).isEqualTo(game.getGameState());
+        }
+    }
+
+    @Test
+    void path_fromANodeToItself_isEmpty_whateverTheLastMove() {
+        Game game = new Game(0);
+        assertThat(game.getShortestPath(5, 5, null)).isEmpty();
+        assertThat(game.getShortestPathDistance(5, 5, null)).isZero();
+        assertThat(Game.caches[0].getPathFromA2B(5, 5, null)).isEmpty();
+        assertThatThrownBy(() -> game.getShortestPath(5, 6, null)).isInstanceOf(NullPointerException.class);
+        int junction = game.getJunctionIndices()[0];
+        assertThat(Game.caches[0].getPathFromA2B(junction, 5, null)).isEqualTo(game.getShortestPath(junction, 5, null));
+    }
+
+    @Test
+    void levelScore_ofALevelThatHasNotBegun_isRefused() {
+        Game game = new Game(0);
+        assertThat(game.getScore(0)).isZero();
+        assertThatThrownBy(() -> game.getScore(2)).isInstanceOf(IndexOutOfBoundsException.class);
     }
 
     @Test

@@ -54,7 +54,8 @@ final class NonReversingSearch {
     /**
      * The path from a start, reached by a direction, to a target: both included.
      *
-     * <p>In a maze where two parts hang together by a single corridor the search can fail; then the path is an exact one.
+     * <p>In a maze where two parts hang together by a single corridor the search can fail; then the path is an exact one. If there
+     * is none, the target alone is the answer.
      */
     int[] path(int start, int target, int startArrival, Estimate distance) {
         Arrays.fill(status, FRESH);
@@ -103,7 +104,7 @@ final class NonReversingSearch {
                 }
             }
         }
-        throw new IllegalStateException("no way without turning back from node " + start + " to node " + target);
+        return new int[] {target};
     }
 
     private static int[] trace(int[] cameFrom, int last) {

@@ -20,12 +20,12 @@ public class PathsCache {
     /** A game in the maze. */
     public Game game;
 
-    private final MazeTables tables;
+    /** The same, whatever is written into the public field. */
+    private final Game inMaze;
 
     /** The paths of a maze, 0 to 3. */
     public PathsCache(int mazeIndex) {
-        tables = Mazes.standard().get(mazeIndex);
-        MazeGraph graph = tables.graph();
+        MazeGraph graph = Mazes.standard().get(mazeIndex).graph();
         nodes = new DNode[graph.nodeCount()];
         for (int node = 0; node < nodes.length; node++) {
             nodes[node] = new DNode(node, graph.isJunction(node));
@@ -35,21 +35,22 @@ public class PathsCache {
             junctions[junction] = new Junction(graph.junctionNode(junction), junction);
             junctionIndexConverter.put(graph.junctionNode(junction), junction);
         }
-        game = new Game(0, mazeIndex);
+        inMaze = new Game(0, mazeIndex);
+        game = inMaze;
     }
 
     /** {@link Game#getShortestPath(int, int)}. */
     public int[] getPathFromA2B(int a, int b) {
-        return tables.paths().undirectedPath(a, b);
+        return inMaze.getShortestPath(a, b);
     }
 
     /** {@link Game#getShortestPathDistance(int, int, MOVE)}. */
     public int getPathDistanceFromA2B(int a, int b, MOVE lastMoveMade) {
-        return tables.paths().directedLength(a, b, lastMoveMade.ordinal());
+        return inMaze.getShortestPathDistance(a, b, lastMoveMade);
     }
 
     /** {@link Game#getShortestPath(int, int, MOVE)}. */
     public int[] getPathFromA2B(int a, int b, MOVE lastMoveMade) {
-        return tables.paths().directedPath(a, b, lastMoveMade.ordinal());
+        return inMaze.getShortestPath(a, b, lastMoveMade);
     }
 }

@@ -8,6 +8,7 @@ import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import pacman.game.Game;
 
 /** The tables against the plain form of the rules, and facts of the four mazes. */
 class MazePathsTest {
@@ -34,6 +35,16 @@ class MazePathsTest {
             assertThat(paths.directedLength(from, to, lastMove))
                     .isEqualTo(paths.directedPath(from, to, lastMove).length);
         }
+    }
+
+    @Test
+    void searchForANodeThatIsNeverReached_answersThatNodeAlone() {
+        Game game = new Game(0);
+        AStar search = new AStar();
+        search.createGraph(game.getCurrentMaze().graph);
+        int lair = Mazes.standard().get(0).graph().lair();
+        assertThat(search.computePathsAStar(5, lair, game)).containsExactly(lair);
+        assertThat(search.computePathsAStar(5, 5, game)).containsExactly(5);
     }
 
     private static int[] ints(java.util.List<Integer> path) {
