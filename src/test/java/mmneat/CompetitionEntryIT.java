@@ -73,10 +73,24 @@ class CompetitionEntryIT {
             // On a slow machine there is progress.
             assertThat(run.errors()).doesNotContain("mmneat:", "Exception");
             assertThat(run.exitCode()).isZero();
-            assertThat(run.output()).startsWith("TouringPacMan against TouringGhosts, 3 games");
+            assertThat(run.output()).startsWith("tour.TouringPacMan against tour.TouringGhosts, 3 games");
             scores.add(run.output().lines().toList().get(1));
         }
         assertThat(scores.get(0)).isEqualTo(scores.get(1));
+    }
+
+    @Test
+    void entryThatEndsTheProgram_isNotTakenForAResult() throws Exception {
+        Path classes = CompiledClasses.compile(
+                folder,
+                SIMULATOR.toString(),
+                "public class Leaves extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due)"
+                        + " { System.exit(0); return null; } }");
+        ProgramRun run = ProgramRun.java(
+                folder, "-jar", JAR.toString(), "play", "classpath=" + classes, "pacman=Leaves", "games=3");
+        assertThat(run.output()).isEmpty();
+        assertThat(run.errors()).contains("the program was ended in game 1 of 3; there is no result");
     }
 
     @Test

@@ -1,10 +1,13 @@
 package mmneat.cli;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Optional;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
 import mmneat.experiment.PublishedConfigurations;
+import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 
@@ -28,17 +31,34 @@ final class ChampionWords {
     }
 
     static MsPacManTaskSettings settings(Words words, Champion champion, Rules rules) {
-        MsPacManTaskSettings settings = PlayerSettings.of(champion, task(words), rules, words.path(GHOSTS.name()));
+        Optional<Path> ghosts = words.path(GHOSTS.name());
+        // What the version does not use need not be there to be refused.
+        MsPacManTaskSettings settings =
+                PlayerSettings.of(champion, task(words), rules, ghosts.filter(Files::isReadable));
         words.requireEffect(
                 GHOSTS.name(),
                 settings.version() == TaskVersion.ISOLATED,
                 "only the isolated version has recorded ghost locations, and " + champion.name() + " plays another");
+        requireReadable(ghosts);
         return settings;
     }
 
     /** The same; empty if the champion was evolved for another task than Ms. Pac-Man. */
     static Optional<MsPacManTaskSettings> findSettings(Words words, Champion champion, Rules rules) {
         return PlayerSettings.find(champion, task(words), rules, words.path(GHOSTS.name()));
+    }
+
+    /** The file of ghost locations that is named, where there is one to be used. */
+    static Optional<Path> ghosts(Words words) {
+        Optional<Path> file = words.path(GHOSTS.name());
+        requireReadable(file);
+        return file;
+    }
+
+    private static void requireReadable(Optional<Path> ghosts) {
+        if (ghosts.isPresent() && !Files.isReadable(ghosts.get())) {
+            throw new UserError(GHOSTS.name() + "=" + ghosts.get() + ": there is no such file that can be read");
+        }
     }
 
     private static Optional<String> task(Words words) {

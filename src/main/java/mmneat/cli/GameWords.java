@@ -59,12 +59,12 @@ final class GameWords {
         }
         String maze = words.requiredText("maze", "FILE");
         if (rules.ghostLocations() != null) {
-            return rules.with().initialMaze(recordedMaze(maze)).build();
+            return rules.with().onlyMaze(recordedMaze(maze)).build();
         }
         return rules.with().mazes(mazes(maze)).build();
     }
 
-    /** Recorded ghost locations belong to their mazes, which stay where they are; games end in the first. */
+    /** Recorded ghost locations belong to their mazes, which keep their numbers. */
     private static int recordedMaze(String name) {
         int index = MAZES.indexOf(name.toLowerCase(Locale.ROOT));
         if (index < 0) {

@@ -12,6 +12,25 @@ final class OutputFile {
 
     private OutputFile() {}
 
+    /**
+     * Makes sure, before long work, that a file can be written where it is wanted.
+     *
+     * @param word whose value it is
+     */
+    static void require(String word, Path file) {
+        if (Files.isDirectory(file)) {
+            throw new UserError(word + "=" + file + ": this is a folder; name a file in it");
+        }
+        Path place = file.toAbsolutePath().getParent();
+        while (place != null && !Files.exists(place)) {
+            place = place.getParent();
+        }
+        if (place != null && !(Files.isDirectory(place) && Files.isWritable(place))
+                || Files.exists(file) && !Files.isWritable(file)) {
+            throw new UserError(word + "=" + file + ": cannot be written; name another place");
+        }
+    }
+
     /** Writes a text, making the folders on the way. */
     static void write(Path file, String text) {
         write(file, text.getBytes(StandardCharsets.UTF_8));

@@ -2,11 +2,11 @@ package mmneat.cli;
 
 import java.io.File;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -46,6 +46,8 @@ import picocli.CommandLine.Command;
 final class PlayCommand extends WordCommand implements Runnable {
 
     private static final String HUMAN = "Human";
+    private static final Set<String> NAMES_OF_THE_HUMAN =
+            Set.of(HUMAN, HumanController.class.getSimpleName(), HumanController.class.getName());
     private static final int PROGRESS_SECONDS = 5;
     private static final int LAST_LOOK_MILLISECONDS = 2000;
     private static final long STALL_MILLISECONDS = 10_000;
@@ -113,6 +115,9 @@ final class PlayCommand extends WordCommand implements Runnable {
         private final SummaryStatistics scores = new SummaryStatistics();
         private long steps;
 
+        /** Number of the game that is played. */
+        private volatile int playing;
+
         Contest(Words words, PrintWriter out, PrintWriter notes) {
             this.out = out;
             this.notes = notes;
@@ -129,7 +134,7 @@ final class PlayCommand extends WordCommand implements Runnable {
             recording = words.path("record").orElse(null);
             ControllerLoader loader = new ControllerLoader(classPath(words));
             String player = words.text("pacman", "StarterPacMan");
-            boolean human = player.equals(HUMAN) || player.endsWith("HumanController");
+            boolean human = NAMES_OF_THE_HUMAN.contains(player);
             if (human && !view) {
                 throw new UserError("pacman=" + player + " needs view=true and a display");
             }
@@ -143,7 +148,7 @@ final class PlayCommand extends WordCommand implements Runnable {
             } else {
                 ControllerFactory<MOVE> factory = loader.pacMan(player);
                 pacMan = factory::create;
-                pacManName = factory.simpleName();
+                pacManName = factory.name();
             }
             ghosts = loader.ghosts(words.text("ghosts", "Legacy"));
             requireRecordable();
@@ -167,10 +172,7 @@ final class PlayCommand extends WordCommand implements Runnable {
             if (view && !timed) {
                 throw new UserError("record=" + recording + ": with view=true use timed=true too");
             }
-            Path folder = recording.toAbsolutePath().getParent();
-            if (!Files.isDirectory(folder) || Files.isDirectory(recording)) {
-                throw new UserError("record=" + recording + ": there is no folder " + folder + ", or it is one itself");
-            }
+            OutputFile.require("record", recording);
         }
 
         void play() {
@@ -178,23 +180,34 @@ final class PlayCommand extends WordCommand implements Runnable {
             rules.mazes().prepare();
             long start = System.nanoTime();
             long nextProgress = start + TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
+            Thread ending = new Thread(this::reportEnd);
+            Runtime.getRuntime().addShutdownHook(ending);
             try (StallNotice stall = new StallNotice(notes, STALL_MILLISECONDS)) {
                 for (int index = 0; index < games; index++) {
+                    playing = index + 1;
                     Game game = newGame(seeds);
                     stall.watch(hasTimeLimit() ? null : game);
                     play(game, index);
                     stall.watch(null);
                     scores.addValue(game.getScore());
                     steps += game.getTotalTime();
-                    if (System.nanoTime() > nextProgress) {
+                    if (index + 1 < games && System.nanoTime() > nextProgress) {
                         nextProgress += TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
                         notes.println(String.format(
                                 Locale.ROOT, "%d of %d games, mean score %.1f", index + 1, games, scores.getMean()));
                         notes.flush();
                     }
                 }
+            } finally {
+                Runtime.getRuntime().removeShutdownHook(ending);
             }
             report((System.nanoTime() - start) / 1e9);
+        }
+
+        /** A controller may call {@code System.exit}, whose exit code says nothing: a script must not take it for a result. */
+        private void reportEnd() {
+            notes.println("mmneat: the program was ended in game " + playing + " of " + games + "; there is no result");
+            notes.flush();
         }
 
         /** Whether the game goes on without a controller that is late; a human's always does. */
@@ -202,10 +215,13 @@ final class PlayCommand extends WordCommand implements Runnable {
             return timed || pacMan == null;
         }
 
-        /** By MM-NEAT's rules games draw from the run's generator too; the competition's have only their own. */
+        /**
+         * By MM-NEAT's rules a game draws from the run's generator too, which copies share. Here each game has one of its own, so that
+         * a controller that looks ahead in copies does not change the games that come after.
+         */
         private Game newGame(ResumableRandom seeds) {
             return rules.conventions() == GameRules.Conventions.MM_NEAT
-                    ? new Game(seeds.nextLong(), rules, seeds)
+                    ? new Game(seeds.nextLong(), rules, new ResumableRandom(seeds.nextLong()))
                     : new Game(seeds.nextLong(), rules);
         }
 
@@ -220,9 +236,10 @@ final class PlayCommand extends WordCommand implements Runnable {
                 }
                 notes.println("mmneat: " + report.controllerName() + " threw an exception in game " + (index + 1)
                         + " at time " + report.totalTime());
-                failure.printStackTrace(notes);
+                Throwable thrown = report == failure ? failure.getCause() : failure;
+                thrown.printStackTrace(notes);
                 notes.flush();
-                throw new UserError(report.controllerName() + " failed: " + failure, failure);
+                throw new UserError(report.controllerName() + " failed: " + thrown, thrown);
             }
         }
 
@@ -260,9 +277,8 @@ final class PlayCommand extends WordCommand implements Runnable {
         }
 
         private void report(double seconds) {
-            out.println(
-                    pacManName + " against " + ghosts.simpleName() + ", " + games + (games == 1 ? " game" : " games")
-                            + ", seed " + seed + ", rules " + rulesName + (timed ? ", timed" : ""));
+            out.println(pacManName + " against " + ghosts.name() + ", " + games + (games == 1 ? " game" : " games")
+                    + ", seed " + seed + ", rules " + rulesName + (timed ? ", timed" : ""));
             out.println(String.format(
                     Locale.ROOT,
                     "score: mean %.1f, standard deviation %s, minimum %.0f, maximum %.0f",

@@ -9,6 +9,8 @@ import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.recording.GhostLocationRecorder;
 import mmneat.experiment.PublishedConfigurations;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
 import picocli.CommandLine.Command;
 
 /** Records where the ghosts are when a champion eats power pills, for the isolated task. */
@@ -58,14 +60,20 @@ final class RecordGhostsCommand extends WordCommand implements Runnable {
     public void run() {
         Words words = words(1);
         Champion champion = ChosenChampion.of(words, "blended");
+        Path out = words.path("out").orElse(Path.of(DEFAULT_OUT));
+        OutputFile.require("out", out);
+        MsPacManTaskSettings settings = ChampionWords.settings(words, champion, Rules.TRAINING);
+        if (settings.version() == TaskVersion.ISOLATED) {
+            throw new UserError("the games of the isolated version have no power pills to be eaten; record with"
+                    + " task=blended or task=interleaved, or another champion");
+        }
         GhostLocationRecorder recorder = new GhostLocationRecorder(
-                ChampionWords.settings(words, champion, Rules.TRAINING),
+                settings,
                 champion.genotype(),
                 words.integer("situations", NEEDED, 1, 1_000_000),
                 words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE));
         String start = words.choice("start", WHERE_MISSING, STARTS);
         play(recorder, start, words.integer("games", MOST_GAMES, 1, Integer.MAX_VALUE));
-        Path out = words.path("out").orElse(Path.of(DEFAULT_OUT));
         if (!recorder.isComplete()) {
             Path part = Path.of(out + ".incomplete");
             OutputFile.write(part, recorder.text());

@@ -52,9 +52,10 @@ final class ReplayCommand extends WordCommand implements Runnable {
         GameRules rules = GameWords.rules(words, recording.rules());
         try {
             Game game = new Executor().replayGame(recording, rules, view, view ? delay : 0);
-            out().println(recording.states().size() + " steps: score " + game.getScore() + ", level "
-                    + (game.getCurrentLevel() + 1) + ", time " + game.getTotalTime() + ", lives "
-                    + game.getPacmanNumberOfLivesRemaining());
+            boolean isWon = game.getCurrentLevel() >= rules.maximumLevel();
+            out().println(recording.states().size() + " states: score " + game.getScore() + ", "
+                    + (isWon ? "all " + rules.maximumLevel() + " levels" : "level " + (game.getCurrentLevel() + 1))
+                    + ", time " + game.getTotalTime() + ", lives " + game.getPacmanNumberOfLivesRemaining());
         } catch (IllegalArgumentException e) {
             String hint = words.has("maze") ? "" : "; a game in a maze of your own needs the same maze=FILE";
             throw new UserError(file + ": " + e.getMessage() + hint, e);

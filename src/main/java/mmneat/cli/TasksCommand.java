@@ -89,6 +89,7 @@ final class TasksCommand extends WordCommand implements Runnable {
                 ChampionWords.GHOSTS.name(),
                 versions.contains("isolated"),
                 "only the isolated version has recorded ghost locations");
+        words.path("out").ifPresent(out -> OutputFile.require("out", out));
         StringBuilder csv = new StringBuilder(
                 "task,predicates,player,game,steps,switches,thrashing_rate,overlapping_steps,score\n");
         for (String version : versions) {
@@ -114,8 +115,7 @@ final class TasksCommand extends WordCommand implements Runnable {
     private static MsPacManTaskSettings settings(String version, Words words) {
         List<String> parameters = new ArrayList<>(List.of("task=" + version));
         if (version.equals("isolated")) {
-            words.text(ChampionWords.GHOSTS.name())
-                    .ifPresent(file -> parameters.add("mazePowerPillGhostMapping=" + file));
+            ChampionWords.ghosts(words).ifPresent(file -> parameters.add("mazePowerPillGhostMapping=" + file));
         }
         return ((MsPacManTask) Tasks.factory(new ParameterReader(ParameterCatalogue.load())
                                 .read(parameters)

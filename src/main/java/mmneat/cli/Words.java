@@ -58,6 +58,8 @@ public final class Words {
             } else if (plain.size() < plainWords && !(named.matches() && word.charAt(named.end(1)) == '=')) {
                 // A plain word may contain a colon (a drive letter, a time), but not look like an assignment.
                 plain.add(word);
+            } else if (knownNames.contains(word)) {
+                throw new UserError("'" + word + "' has no value; write " + word + "=...");
             } else if (named.matches()) {
                 throw unknown(named.group(1), knownNames);
             } else {

@@ -80,6 +80,9 @@ class ChampionCommandsTest extends CommandTest {
     @Test
     void recordingThatGivesUp_saysWhatIsMissing_andKeepsWhatThereIs() {
         Path file = folder.resolve("few.txt");
+        assertMistakeAtWork("out=" + folder + ": this is a folder", "record-ghosts", "out=" + folder);
+        assertMistakeAtWork("out=" + folder + ": this is a folder", "tasks", "out=" + folder);
+        assertMistakeAtWork("have no power pills to be eaten", "record-ghosts", "champion=isolated");
         assertMistakeAtWork("gave up after 1 games, with", "record-ghosts", "games=1", "situations=5", "out=" + file);
         assertThat(errors.toString()).contains("still missing: maze 0 power pill 0 (");
         assertThat(file).doesNotExist();

@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.TreeSet;
 import mmneat.CompiledClasses;
 import mmneat.analysis.evaluation.ShippedChampions;
 import mmneat.analysis.results.RunFixture;
@@ -15,6 +17,10 @@ import mmneat.neat.io.GenotypeJson;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import pacman.Recording;
+import pacman.game.Game;
+import pacman.game.GameRules;
+import pacman.game.GhostLocations;
 
 /** The commands play and replay, as a user types them. */
 class PlayCommandTest extends CommandTest {
@@ -56,8 +62,19 @@ class PlayCommandTest extends CommandTest {
     }
 
     @Test
-    void isolatedGhosts_startInTheMazeThatIsNamed_ifItWasRecorded() throws IOException {
-        assertThat(execute("play", "games=5", "rules=isolatedGhosts", "maze=c")).isZero();
+    void isolatedGhosts_playAllLevelsInTheMazeThatIsNamed_ifItWasRecorded() throws IOException {
+        Path recording = folder.resolve("recording.txt");
+        assertThat(execute("play", "rules=isolatedGhosts", "maze=c", "record=" + recording))
+                .isZero();
+        GameRules rules = GameRules.isolatedGhosts(0, GhostLocations.shipped());
+        Game game = new Game(0, rules.with().onlyMaze(2).build());
+        TreeSet<Integer> levels = new TreeSet<>();
+        for (String state : Recording.load(recording).states()) {
+            game.setGameState(state);
+            assertThat(game.getMazeIndex()).isEqualTo(2);
+            levels.add(game.getCurrentLevel());
+        }
+        assertThat(levels).contains(0, 1, 2, 3);
         Path drawing = Files.writeString(folder.resolve("mine.txt"), "#");
         assertMistake(
                 "must be a, b, c or d with rules=isolatedGhosts", "play", "rules=isolatedGhosts", "maze=" + drawing);
@@ -91,7 +108,7 @@ class PlayCommandTest extends CommandTest {
         String steps = out.toString().lines().toList().get(2).replaceAll("steps: (\\d+),.*", "$1");
         assertThat(Files.readAllLines(file)).hasSize(Integer.parseInt(steps));
         assertThat(execute("replay", file.toString(), "view=false")).isZero();
-        assertThat(out.toString()).startsWith(steps + " steps: score ");
+        assertThat(out.toString()).startsWith(steps + " states: score ");
         assertThat(execute("replay", file.toString())).isZero();
         assertThat(errors.toString()).contains("there is no display");
     }
@@ -138,7 +155,8 @@ class PlayCommandTest extends CommandTest {
         assertMistake(
                 "ghostLocations: cannot read none.txt", "play", "rules=isolatedGhosts", "ghostLocations=none.txt");
         assertMistake("one game is recorded", "play", "record=" + folder.resolve("x"), "games=2");
-        assertMistake("there is no folder", "play", "record=" + folder.resolve("none/x"));
+        assertMistake(": this is a folder; name a file in it", "play", "record=" + folder);
+        assertMistake("'games' has no value; write games=...", "play", "games");
         assertMistake("needs view=true", "play", "pacman=Human");
         assertMistake("there is no file or folder", "play", "classpath=none.jar", "pacman=my.Entry");
         assertMistake("write replay FILE", "replay");
@@ -198,7 +216,49 @@ class PlayCommandTest extends CommandTest {
         assertMistake(
                 "ghosts=x has no effect here: only the isolated version", "watch", "champion=blended", "ghosts=x");
         assertMistake("ghosts=x has no effect here", "tasks", "task=blended", "ghosts=x");
+        assertMistake("ghosts=x: there is no such file", "tasks", "task=isolated", "ghosts=x");
+        assertMistake("ghosts=x: there is no such file", "watch", "champion=isolated", "ghosts=x");
         assertMistake("seed=3 has no effect here", "evaluate", "champion=blended", "report=true", "seed=3");
+    }
+
+    /** Plays as StarterPacMan, but looks ahead in a copy to where a ghost is edible no more, which draws from the run's generator. */
+    private static String lookingAhead() {
+        return "package team; public class Ahead extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                + " private final pacman.controllers.examples.StarterPacMan starter ="
+                + " new pacman.controllers.examples.StarterPacMan();"
+                + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) {"
+                + " int edible = game.getGhostEdibleTime(pacman.game.Constants.GHOST.BLINKY);"
+                + " pacman.game.Game copy = game.copy();"
+                + " for (int i = 0; edible > 0 && i < 200; i++)"
+                + " { copy.rnd.nextInt(); copy.advanceGame(pacman.game.Constants.MOVE.LEFT, null); }"
+                + " return starter.getMove(game, due); } }";
+    }
+
+    @Test
+    void lookingAheadInCopies_changesNoOtherGame() throws IOException {
+        Path classes = CompiledClasses.compile(folder, System.getProperty("java.class.path"), lookingAhead());
+        for (String rules : List.of("competition", "interleaved", "mmneat")) {
+            execute("play", "rules=" + rules, "seed=4", "games=20");
+            String plain = scoreLine();
+            assertThat(execute("play", "rules=" + rules, "seed=4", "games=20", "classpath=" + classes, "pacman=Ahead"))
+                    .isZero();
+            assertThat(out.toString()).startsWith("team.Ahead against Legacy");
+            assertThat(scoreLine()).as(rules).isEqualTo(plain);
+        }
+    }
+
+    @Test
+    void entryWhoseNameEndsLikeTheHumans_isAnEntry() throws IOException {
+        Path classes = CompiledClasses.compile(
+                folder,
+                System.getProperty("java.class.path"),
+                "package team; public class MyHumanController"
+                        + " extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due)"
+                        + " { return pacman.game.Constants.MOVE.LEFT; } }");
+        assertThat(execute("play", "classpath=" + classes, "pacman=MyHumanController"))
+                .isZero();
+        assertThat(out.toString()).startsWith("team.MyHumanController against Legacy");
     }
 
     @Test

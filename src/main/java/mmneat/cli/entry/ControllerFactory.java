@@ -28,22 +28,29 @@ public final class ControllerFactory<T> {
         }
     }
 
-    /** The class's name without its package. */
-    public String simpleName() {
-        return type.getSimpleName();
+    /** The class's name, without its package if it is one of ours. */
+    public String name() {
+        return type.getClassLoader() == Controller.class.getClassLoader() ? type.getSimpleName() : type.getName();
     }
 
-    /** A new controller. */
+    /** A new controller. While it is made, its own classes and files are what libraries find by the thread's class loader. */
     @SuppressWarnings("unchecked") // ControllerLoader has looked at the type of the moves.
     public Controller<T> create() {
+        Thread thread = Thread.currentThread();
+        ClassLoader before = thread.getContextClassLoader();
+        thread.setContextClassLoader(type.getClassLoader());
         try {
             return (Controller<T>) constructor.newInstance();
         } catch (InvocationTargetException e) {
             throw new UserError("the constructor of " + type.getName() + " threw " + e.getCause(), e);
         } catch (InstantiationException | IllegalAccessException e) {
             throw new UserError(type.getName() + " cannot be constructed: " + e, e);
+        } catch (ExceptionInInitializerError e) {
+            throw new UserError("the static initialiser of " + type.getName() + " threw " + e.getCause(), e);
         } catch (LinkageError e) {
             throw unusable(e);
+        } finally {
+            thread.setContextClassLoader(before);
         }
     }
 

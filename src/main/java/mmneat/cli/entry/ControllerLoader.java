@@ -2,8 +2,11 @@ package mmneat.cli.entry;
 
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.Type;
 import java.nio.file.Path;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -29,7 +32,15 @@ public final class ControllerLoader {
             List.of("pacman.controllers.examples.", "pacman.entries.pacman.", "pacman.entries.ghosts.");
 
     /** For suggestions. */
-    private static final List<String> OUR_NAMES = List.of(
+    private static final List<String> OUR_PAC_MEN = List.of(
+            "MyPacMan",
+            "NearestPillPacMan",
+            "NearestPillPacManVS",
+            "RandomNonRevPacMan",
+            "RandomPacMan",
+            "StarterPacMan");
+
+    private static final List<String> OUR_GHOSTS = List.of(
             "AggressiveGhosts",
             "BetterLegacy",
             "ChaseFleeGhosts",
@@ -37,15 +48,9 @@ public final class ControllerLoader {
             "Legacy",
             "Legacy2TheReckoning",
             "MyGhosts",
-            "MyPacMan",
-            "NearestPillPacMan",
-            "NearestPillPacManVS",
             "PansyGhosts",
             "RandomGhosts",
-            "RandomNonRevPacMan",
-            "RandomPacMan",
             "StarterGhosts",
-            "StarterPacMan",
             "VeryRandomLegacy");
 
     private final EntryPath classPath;
@@ -57,22 +62,22 @@ public final class ControllerLoader {
 
     /** A controller of Ms. Pac-Man. */
     public ControllerFactory<MOVE> pacMan(String name) {
-        Class<?> type = controller(name);
+        Class<?> type = controller(name, OUR_PAC_MEN);
         requireMoves(type, MOVE.class, "moves for Ms. Pac-Man (MOVE)");
         return new ControllerFactory<>(type);
     }
 
     /** A ghost team. */
     public ControllerFactory<EnumMap<GHOST, MOVE>> ghosts(String name) {
-        Class<?> type = controller(name);
+        Class<?> type = controller(name, OUR_GHOSTS);
         requireMoves(type, Map.class, "moves for the ghosts (EnumMap<GHOST, MOVE>)");
         return new ControllerFactory<>(type);
     }
 
-    private Class<?> controller(String name) {
+    private Class<?> controller(String name, List<String> ours) {
         Class<?> type;
         try {
-            type = find(name);
+            type = find(name, ours);
         } catch (UnsupportedClassVersionError e) {
             throw new UserError(
                     name + " was compiled for a newer Java than this one ("
@@ -91,7 +96,7 @@ public final class ControllerLoader {
         return type;
     }
 
-    private Class<?> find(String name) {
+    private Class<?> find(String name, List<String> ours) {
         List<String> matches = classPath.classesNamed(name);
         if (matches.size() > 1) {
             throw new UserError("'" + name + "' may be " + String.join(" or ", matches) + "; give it with its package");
@@ -100,7 +105,7 @@ public final class ControllerLoader {
                 .findFirst()
                 .map(classPath::load)
                 .or(() -> ours(name))
-                .orElseThrow(() -> notFound(name));
+                .orElseThrow(() -> notFound(name, ours));
     }
 
     private static Optional<Class<?>> ours(String name) {
@@ -117,8 +122,8 @@ public final class ControllerLoader {
         return Optional.empty();
     }
 
-    private UserError notFound(String name) {
-        TreeSet<String> known = new TreeSet<>(OUR_NAMES);
+    private UserError notFound(String name, List<String> ours) {
+        TreeSet<String> known = new TreeSet<>(ours);
         known.addAll(classPath.controllerNames());
         String suggestion = NearestName.suggestion(name, known);
         if (!classPath.isEmpty()) {
@@ -131,26 +136,48 @@ public final class ControllerLoader {
             return new UserError("there is no class '" + name + "'; give its jar or class folder as classpath=FILE");
         }
         return new UserError("there is no controller '" + name + "'"
-                + (suggestion.isEmpty() ? "; known: " + String.join(", ", OUR_NAMES) : suggestion));
+                + (suggestion.isEmpty() ? "; known: " + String.join(", ", ours) : suggestion));
     }
 
-    /** Looks at the type that the decision returns; what a generic class hides is left to the game. */
+    /** Looks at the type of the answers; what a raw class hides is left to the game. */
     private static void requireMoves(Class<?> type, Class<?> moves, String meaning) {
-        for (Class<?> declaring = type; declaring != Controller.class; declaring = declaring.getSuperclass()) {
-            for (Method method : declaring.getDeclaredMethods()) {
-                boolean decides = method.getName().equals("getMove")
-                        && !method.isBridge()
-                        && List.of(method.getParameterTypes()).equals(List.of(Game.class, long.class));
-                if (decides
-                        && (method.getReturnType() == MOVE.class
-                                || Map.class.isAssignableFrom(method.getReturnType()))) {
-                    if (!moves.isAssignableFrom(method.getReturnType())) {
-                        throw new UserError(type.getName() + " does not decide on " + meaning + "; it answers with "
-                                + method.getReturnType().getSimpleName());
-                    }
-                    return;
+        Class<?> answers = typeOfAnswers(type).or(() -> typeOfDecision(type)).orElse(moves);
+        if (!moves.isAssignableFrom(answers)) {
+            throw new UserError(
+                    type.getName() + " does not decide on " + meaning + "; it answers with " + answers.getSimpleName());
+        }
+    }
+
+    /** What a class puts in the place of the T of {@code Controller<T>}, through all its superclasses. */
+    private static Optional<Class<?>> typeOfAnswers(Class<?> type) {
+        Map<Type, Type> known = new HashMap<>();
+        for (Class<?> heir = type; heir != Controller.class; heir = heir.getSuperclass()) {
+            if (heir.getGenericSuperclass() instanceof ParameterizedType parent) {
+                Type[] names = heir.getSuperclass().getTypeParameters();
+                for (int i = 0; i < names.length; i++) {
+                    Type given = parent.getActualTypeArguments()[i];
+                    known.put(names[i], known.getOrDefault(given, given));
                 }
             }
         }
+        Type answers = known.get(Controller.class.getTypeParameters()[0]);
+        Type plain = answers instanceof ParameterizedType parameterized ? parameterized.getRawType() : answers;
+        return plain instanceof Class<?> found ? Optional.of(found) : Optional.empty();
+    }
+
+    /** What a class without type parameters declares that its decision returns. */
+    private static Optional<Class<?>> typeOfDecision(Class<?> type) {
+        for (Class<?> declaring = type; declaring != Controller.class; declaring = declaring.getSuperclass()) {
+            for (Method method : declaring.getDeclaredMethods()) {
+                Class<?> answers = method.getReturnType();
+                boolean decides = method.getName().equals("getMove")
+                        && !method.isBridge()
+                        && List.of(method.getParameterTypes()).equals(List.of(Game.class, long.class));
+                if (decides && (answers == MOVE.class || Map.class.isAssignableFrom(answers))) {
+                    return Optional.of(answers);
+                }
+            }
+        }
+        return Optional.empty();
     }
 }

@@ -8,6 +8,7 @@ import java.net.URLClassLoader;
 import java.util.Optional;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.commons.ClassRemapper;
 import org.objectweb.asm.commons.Remapper;
 import pacman.controllers.Controller;
@@ -61,9 +62,20 @@ final class EntryClassLoader extends URLClassLoader {
         }
     }
 
-    /** Whether the entry extends a controller of the programming interface, as far as its class files tell. */
+    /** Whether the entry can be a controller: it extends one, as far as its class files tell, and is not abstract. */
     boolean isController() {
-        return findExpectedApi().isPresent();
+        return findExpectedApi().isPresent() && !isAbstract();
+    }
+
+    private boolean isAbstract() {
+        try {
+            return classFile(entryName)
+                    .map(file -> (new ClassReader(file).getAccess() & Opcodes.ACC_ABSTRACT) != 0)
+                    .orElse(false);
+        } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+            // As for superclasses.
+            return false;
+        }
     }
 
     @Override
@@ -120,18 +132,21 @@ final class EntryClassLoader extends URLClassLoader {
 
     /** Climbs the entry's superclasses to the first that is named like a controller of ours. */
     private Optional<String> findExpectedApi() {
-        String name = entryName.replace('.', '/');
+        String name = superclassOf(entryName);
         while (name != null && !name.startsWith("java/")) {
             int end = name.lastIndexOf("controllers/");
             boolean wholeWord = end == 0 || end > 0 && name.charAt(end - 1) == '/';
             if (wholeWord && isOurs((API + name.substring(end)).replace('/', '.'))) {
                 return Optional.of(name.substring(0, end));
             }
-            name = classFile(name.replace('/', '.'))
-                    .flatMap(EntryClassLoader::superclass)
-                    .orElse(null);
+            name = superclassOf(name.replace('/', '.'));
         }
         return Optional.empty();
+    }
+
+    /** In the form of class files; null if there is none, or the class is not the entry's. */
+    private String superclassOf(String className) {
+        return classFile(className).flatMap(EntryClassLoader::superclass).orElse(null);
     }
 
     /** Empty if the class file is damaged or too new to be read: the JVM will say so when it is loaded. */

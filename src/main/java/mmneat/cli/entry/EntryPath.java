@@ -46,7 +46,7 @@ final class EntryPath {
 
     /**
      * The classes on this path that {@code name} may mean: the one with exactly this name, or those whose name without
-     * the package is it. Copies of our own interface and examples do not count.
+     * the package, or without the class around them, is it. Copies of our own interface and examples do not count.
      */
     List<String> classesNamed(String name) {
         List<String> candidates = classNames.stream()
@@ -55,7 +55,7 @@ final class EntryPath {
         return candidates.contains(name)
                 ? List.of(name)
                 : candidates.stream()
-                        .filter(found -> simpleName(found).equals(name))
+                        .filter(found -> simpleName(found).equals(name) || found.endsWith("." + name))
                         .toList();
     }
 
@@ -77,8 +77,9 @@ final class EntryPath {
         return places.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
     }
 
+    /** Without the package, and for a nested class without the class around it: as reports call it. */
     private static String simpleName(String className) {
-        return className.substring(className.lastIndexOf('.') + 1);
+        return className.substring(Math.max(className.lastIndexOf('.'), className.lastIndexOf('$')) + 1);
     }
 
     private static List<String> classesIn(Path place) {

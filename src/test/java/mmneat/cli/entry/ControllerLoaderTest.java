@@ -72,11 +72,10 @@ class ControllerLoaderTest {
         ControllerLoader loader = new ControllerLoader(List.of());
         assertThat(loader.pacMan("StarterPacMan").create().getClass().getName())
                 .isEqualTo("pacman.controllers.examples.StarterPacMan");
-        assertThat(loader.ghosts("pacman.controllers.examples.Legacy").simpleName())
-                .isEqualTo("Legacy");
+        assertThat(loader.ghosts("pacman.controllers.examples.Legacy").name()).isEqualTo("Legacy");
         assertThat(loader.pacMan("MyPacMan").create())
                 .isNotSameAs(loader.pacMan("MyPacMan").create());
-        assertThat(loader.ghosts("MyGhosts").simpleName()).isEqualTo("MyGhosts");
+        assertThat(loader.ghosts("MyGhosts").name()).isEqualTo("MyGhosts");
     }
 
     @Test
@@ -147,6 +146,65 @@ class ControllerLoaderTest {
     }
 
     @Test
+    void entryNamedAsOneOfOurs_inAnotherPackage_isItself() throws IOException {
+        Path classes = compiled(
+                entry("package team.controllers.examples;", "pacman.", "StarterPacMan"),
+                "package team; public class Teams { public static class Nested extends"
+                        + " pacman.controllers.Controller<pacman.game.Constants.MOVE> { public pacman.game.Constants.MOVE"
+                        + " getMove(pacman.game.Game game, long due) { return null; } } }");
+        assertPlaysAsNearestPillPacMan(classes, "team.controllers.examples.StarterPacMan");
+        ControllerLoader loader = new ControllerLoader(List.of(classes));
+        assertThat(loader.pacMan("StarterPacMan").name()).isEqualTo("team.controllers.examples.StarterPacMan");
+        assertThat(loader.pacMan("Nested").name()).isEqualTo("team.Teams$Nested");
+        assertThat(loader.pacMan("Teams$Nested").name()).isEqualTo("team.Teams$Nested");
+    }
+
+    @Test
+    void movesBehindGenericBaseClasses_areLookedAt() throws IOException {
+        String decides = " public T getMove(pacman.game.Game game, long due) { return null; } }";
+        Path classes = compiled(
+                "public abstract class Base<K, T> extends pacman.controllers.Controller<T> {" + decides,
+                "public class Ghosts extends Base<String,"
+                        + " java.util.EnumMap<pacman.game.Constants.GHOST, pacman.game.Constants.MOVE>> {}",
+                "public class Pac extends Base<String, pacman.game.Constants.MOVE> {}",
+                "@SuppressWarnings(\"rawtypes\") public class Raw extends Base {}");
+        ControllerLoader loader = new ControllerLoader(List.of(classes));
+        assertThatThrownBy(() -> loader.pacMan("Ghosts"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining(
+                        "Ghosts does not decide on moves for Ms. Pac-Man (MOVE); it answers with EnumMap");
+        assertThatThrownBy(() -> loader.ghosts("Pac")).hasMessageContaining("it answers with MOVE");
+        assertThat(loader.pacMan("Pac").create()).isNotNull();
+        assertThat(loader.ghosts("Raw").create()).isNotNull();
+    }
+
+    @Test
+    void staticInitialiserThatThrows_isNamedWithWhatItThrew() throws IOException {
+        Path classes = compiled(
+                "public class Static extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " static int size = Integer.parseInt(\"x\");"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) { return null; } }");
+        assertThatThrownBy(() ->
+                        new ControllerLoader(List.of(classes)).pacMan("Static").create())
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("the static initialiser of Static threw java.lang.NumberFormatException");
+    }
+
+    @Test
+    void constructor_findsItsFilesByTheThreadsClassLoader() throws IOException {
+        Path classes = compiled(
+                "public class Weights extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " public Weights() { if (Thread.currentThread().getContextClassLoader()"
+                        + ".getResource(\"weights.txt\") == null) throw new IllegalStateException(); }"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) { return null; } }");
+        Files.writeString(classes.resolve("weights.txt"), "1");
+        ClassLoader before = Thread.currentThread().getContextClassLoader();
+        assertThat(new ControllerLoader(List.of(classes)).pacMan("Weights").create())
+                .isNotNull();
+        assertThat(Thread.currentThread().getContextClassLoader()).isSameAs(before);
+    }
+
+    @Test
     void unknownClass_isAnErrorWithASuggestion() throws IOException {
         ControllerLoader ours = new ControllerLoader(List.of());
         assertThatThrownBy(() -> ours.ghosts("Legcy"))
@@ -154,7 +212,9 @@ class ControllerLoaderTest {
                 .hasMessage("there is no controller 'Legcy' (did you mean 'Legacy'?)");
         assertThatThrownBy(() -> ours.pacMan("my.Entry"))
                 .hasMessage("there is no class 'my.Entry'; give its jar or class folder as classpath=FILE");
-        Path classes = compiled(entry("package my.own;", "pacman.", "Entry"));
+        Path classes = compiled(
+                entry("package my.own;", "pacman.", "Entry"),
+                "package my.own; public abstract class Base<T> extends pacman.controllers.Controller<T> {}");
         ControllerLoader loader = new ControllerLoader(List.of(classes));
         assertThatThrownBy(() -> loader.pacMan("my.own.Entri"))
                 .hasMessage("there is no class 'my.own.Entri' in " + classes + " (did you mean 'my.own.Entry'?)");
