@@ -27,9 +27,9 @@ public final class NearestName {
         return to(typed, known).map(name -> " (did you mean '" + name + "'?)").orElse("");
     }
 
-    /** Two letters swapped are a distance of two, the commonest slip. */
+    /** Two letters swapped are a distance of two, the commonest slip. Names of one letter are near to none. */
     private static int tolerance(int length) {
-        return length <= 3 ? 1 : Math.max(2, length / 3);
+        return length <= 1 ? 0 : length <= 3 ? 1 : Math.max(2, length / 3);
     }
 
     /** Levenshtein's distance: insertions, deletions and replacements of a letter, row by row. */
