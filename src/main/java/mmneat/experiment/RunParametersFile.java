@@ -9,8 +9,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -67,13 +69,23 @@ final class RunParametersFile {
      */
     void requireSame(RunPlan run) {
         Map<String, String> saved = read();
+        Map<String, String> now = values(run);
+        Set<String> names = new LinkedHashSet<>(now.keySet());
+        names.addAll(saved.keySet());
         List<String> differing = new ArrayList<>();
-        values(run).forEach((name, value) -> {
+        for (String name : names) {
             String before = saved.get(name);
-            if (before != null && !before.equals(value) && !MAY_CHANGE.contains(name)) {
-                differing.add(name + "=" + before + " (now " + value + ")");
+            String value = now.get(name);
+            // A name of the catalogue that one side lacks is that of an older or newer program, or has no effect.
+            boolean isComparable = before != null && value != null
+                    || run.parameters().catalogue().find(name).isEmpty();
+            if (isComparable && !Objects.equals(before, value) && !MAY_CHANGE.contains(name)) {
+                differing.add(
+                        before == null
+                                ? "no " + name + " (now " + value + ")"
+                                : name + "=" + before + (value == null ? " (now not given)" : " (now " + value + ")"));
             }
-        });
+        }
         if (!differing.isEmpty()) {
             throw new UserError(run.directory() + " was begun with " + String.join(", ", differing)
                     + "; give the same to continue it, or another folder with base=FOLDER");

@@ -104,6 +104,26 @@ class ExperimentTest {
                 .hasMessageContaining("begun with crossoverRate=0.5 (now 0.3)");
         assertThat(content(folder.resolve("base/1M0"))).isEqualTo(before);
         assertThat(folder.resolve("base/1M1")).doesNotExist();
+        assertThatThrownBy(() -> run("base", "maxGens=3", "task.noise=0.3"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("begun with no task.noise (now 0.3); give the same");
+        run("noisy", "maxGens=2", "task.noise=0.3");
+        Path parameters = folder.resolve("noisy/1M0/parameters.properties");
+        String saved = Files.readString(parameters);
+        assertThatThrownBy(() -> run("noisy", "maxGens=3"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("begun with task.noise=0.3 (now not given); give the same");
+        assertThat(parameters).hasContent(saved);
+    }
+
+    @Test
+    void parametersOfAnOlderProgram_mayLackNamesOfTheCatalogue() throws Exception {
+        run("older", "maxGens=2");
+        Path parameters = folder.resolve("older/1M0/parameters.properties");
+        List<String> lines = Files.readAllLines(parameters);
+        assertThat(lines.removeIf(line -> line.startsWith("crowding="))).isTrue();
+        Files.write(parameters, lines);
+        assertThat(run("older", "maxGens=3")).allMatch(RunOutcome::isComplete);
     }
 
     @Test
