@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 
@@ -47,9 +48,10 @@ public final class ParameterReader {
             asked.keySet().removeAll(WHICH_RUNS);
         }
         asked.putAll(commandLine);
-        Parameters parameters = Parameters.defaults(catalogue)
-                .with(preset(asked.getOrDefault("task", ""), asked.get("method")))
-                .with(asked);
+        Parameters preset =
+                Parameters.defaults(catalogue).with(preset(asked.getOrDefault("task", ""), asked.get("method")));
+        requireNoContradiction(commandLine, Parameters.defaults(catalogue).with(file), preset);
+        Parameters parameters = preset.with(asked);
         TaskKind kind = TaskKind.of(parameters);
         if (kind != TaskKind.OWN && !parameters.ofOwnTask().isEmpty()) {
             throw new UserError("unknown parameter '" + OwnTask.PREFIX
@@ -159,6 +161,52 @@ public final class ParameterReader {
         return published
                 ? PublishedConfigurations.settings(task, checked)
                 : PublishedConfigurations.methodAlone(checked);
+    }
+
+    /**
+     * Makes sure that a task or method of the command line is what its name says: the file goes before what the paper sets, and
+     * could make another of it, under the same name. A file that names the same task and method may say what it likes.
+     */
+    private static void requireNoContradiction(Map<String, String> commandLine, Parameters file, Parameters preset) {
+        boolean otherMethod = isOther("method", commandLine, file);
+        boolean otherTask = isOther("task", commandLine, file)
+                && PublishedConfigurations.tasks().contains(commandLine.get("task"));
+        String config = " in config=" + commandLine.get("config");
+        if (otherMethod || otherTask && !file.isGiven("method")) {
+            contradiction(PublishedConfigurations.NAMES_OF_METHODS, commandLine, file, preset)
+                    .ifPresent(name -> {
+                        throw new UserError(name + "=" + file.text(name) + config + " contradicts "
+                                + (otherMethod
+                                        ? "method=" + commandLine.get("method")
+                                        : "task=" + commandLine.get("task") + " without a method")
+                                + ", which means " + name + "=" + preset.text(name)
+                                + (otherMethod
+                                        ? ": leave out method= (saveTo=NAME names the runs), or give " + name
+                                                + "= on the command line, too"
+                                        : ": give the file's method with method=NAME"));
+                    });
+        }
+        if (otherTask) {
+            contradiction(PublishedConfigurations.NAMES_OF_TASKS, commandLine, file, preset)
+                    .ifPresent(name -> {
+                        throw new UserError(name + "=" + file.text(name) + config + " contradicts task="
+                                + commandLine.get("task") + ", which means " + name + "=" + preset.text(name)
+                                + ": give a file of this task");
+                    });
+        }
+    }
+
+    private static boolean isOther(String name, Map<String, String> commandLine, Parameters file) {
+        return commandLine.containsKey(name)
+                && !(file.isGiven(name) && file.text(name).equals(commandLine.get(name)));
+    }
+
+    private static Optional<String> contradiction(
+            List<String> names, Map<String, String> commandLine, Parameters file, Parameters preset) {
+        return names.stream()
+                .filter(name -> file.isGiven(name) && !commandLine.containsKey(name))
+                .filter(name -> !file.text(name).equals(preset.text(name)))
+                .findFirst();
     }
 
     /**

@@ -15,6 +15,13 @@ import java.util.Map;
  */
 public final class PublishedConfigurations {
 
+    /** The parameters in which the methods of a task differ. */
+    static final List<String> NAMES_OF_METHODS =
+            List.of("startingModes", "mmdRate", "multitaskModes", "pacmanMultitaskScheme");
+
+    /** The parameters in which the tasks differ. */
+    static final List<String> NAMES_OF_TASKS = List.of("imprisonedWhileEdible", "removePillsNearPowerPills");
+
     /** The methods of each task, in the paper's order. */
     private static final Map<String, List<String>> METHODS = methods();
 

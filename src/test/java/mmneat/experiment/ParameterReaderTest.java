@@ -7,7 +7,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -48,6 +53,75 @@ class ParameterReaderTest {
         assertThat(parameters.flag("imprisonedWhileEdible")).isTrue();
         assertThat(parameters.integer("lairTime")).isEqualTo(40);
         assertThat(parameters.isGiven("lairTime")).isFalse();
+    }
+
+    @Test
+    void methodOfTheCommandLine_isNotMadeAnotherByTheFile() {
+        String twoModules = "config=configs/blended/2M.properties";
+        assertMistake(
+                "startingModes=2 in " + twoModules + " contradicts method=MMD, which means startingModes=1",
+                twoModules,
+                "task=blended",
+                "method=MMD");
+        assertMistake("contradicts method=1M", twoModules, "task=com.example.Xor", "method=1M");
+        assertMistake(
+                "mmdRate=0.1 in config=configs/blended/MMD.properties contradicts task=blended without a method,"
+                        + " which means mmdRate=0.0: give the file's method with method=NAME",
+                "config=configs/blended/MMD.properties",
+                "task=blended");
+        assertThat(read(twoModules, "task=blended", "method=2M").integer("startingModes"))
+                .isEqualTo(2);
+        assertThat(read(twoModules, "task=com.example.Xor").integer("startingModes"))
+                .isEqualTo(2);
+        Parameters both = read(twoModules, "task=blended", "method=MMD", "startingModes=2");
+        assertThat(both.number("mmdRate")).isEqualTo(0.1);
+    }
+
+    @Test
+    void taskOfTheCommandLine_isNotMadeAnotherByTheFile() {
+        assertMistake(
+                "removePillsNearPowerPills=true in config=configs/isolated/2M.properties contradicts task=blended",
+                "config=configs/isolated/2M.properties",
+                "task=blended");
+        assertMistake("contradicts task=interleaved", "config=configs/blended/2M.properties", "task=interleaved");
+    }
+
+    @Test
+    void fileOfTheSameTaskAndMethod_mayChangeThem(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "task=blended\nmethod=mmd\nstartingModes=2\n");
+        List<List<String>> named = List.of(
+                List.of(), List.of("method=MMD"), List.of("task=blended"), List.of("task=blended", "method=MMD"));
+        for (List<String> words : named) {
+            List<String> all = new ArrayList<>(words);
+            all.add("config=" + config);
+            assertThat(read(all.toArray(String[]::new)).integer("startingModes"))
+                    .as("%s", words)
+                    .isEqualTo(2);
+        }
+    }
+
+    @Test
+    void namesOfMethodsAndTasks_areThoseInWhichThePublishedOnesDiffer() {
+        Map<String, Set<String>> ofMethods = new TreeMap<>();
+        Map<String, Set<String>> ofTasks = new TreeMap<>();
+        for (String task : PublishedConfigurations.tasks()) {
+            Map<String, Set<String>> ofTask = new TreeMap<>();
+            for (String method : PublishedConfigurations.methodsOf(task)) {
+                read("task=" + task, "method=" + method).values().forEach((name, value) -> ofTask.computeIfAbsent(
+                                name, unused -> new TreeSet<>())
+                        .add(value));
+            }
+            ofTask.forEach((name, values) -> (values.size() > 1 ? ofMethods : ofTasks)
+                    .computeIfAbsent(name, unused -> new TreeSet<>())
+                    .addAll(values));
+        }
+        ofTasks.keySet().removeAll(ofMethods.keySet());
+        ofTasks.values().removeIf(values -> values.size() == 1);
+        ofMethods.remove("method");
+        ofTasks.remove("task");
+        assertThat(PublishedConfigurations.NAMES_OF_METHODS).containsExactlyInAnyOrderElementsOf(ofMethods.keySet());
+        assertThat(PublishedConfigurations.NAMES_OF_TASKS).containsExactlyInAnyOrderElementsOf(ofTasks.keySet());
     }
 
     @Test
