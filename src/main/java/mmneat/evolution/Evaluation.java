@@ -5,9 +5,9 @@ import java.util.Arrays;
 /**
  * What an evaluation says of a genotype.
  *
- * @param objectives scores that are selected for, all maximised, in the order of {@link Task#objectiveNames()}
- * @param otherScores scores that are only recorded, in the order of {@link Task#otherScoreNames()}
- * @param moduleUsage how often each output module was chosen, in that part of the evaluation that counts for module mutation
+ * @param objectives scores that are selected for, all maximised and finite, in the order of {@link Task#objectiveNames()}
+ * @param otherScores scores that are only recorded, all finite, in the order of {@link Task#otherScoreNames()}
+ * @param moduleUsage for each output module of the genotype how often it was chosen, in that part of the evaluation that counts for module mutation
  *     and for the logs (spec/networks.md, section 6.4)
  * @param outcomes how the trials ended
  */

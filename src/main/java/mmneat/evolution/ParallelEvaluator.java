@@ -52,7 +52,7 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
         for (int i = 0; i < genotypes.size(); i++) {
             Genotype genotype = genotypes.get(i);
             long seed = evaluationSeed(generation, firstIndex + i);
-            pending.add(threads.submit(() -> evaluate(genotype, seed)));
+            pending.add(threads.submit(() -> evaluate(genotype, generation, seed)));
         }
         try {
             List<Individual> individuals = new ArrayList<>(genotypes.size());
@@ -72,10 +72,11 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
         }
     }
 
-    private Individual evaluate(Genotype genotype, long seed) throws InterruptedException {
+    private Individual evaluate(Genotype genotype, int generation, long seed) throws InterruptedException {
         Task task = idleTasks.take();
         try {
-            return SequentialEvaluator.evaluate(task, genotype, new ResumableRandom(seed), System::nanoTime);
+            return SequentialEvaluator.evaluate(
+                    task, genotype, generation, new ResumableRandom(seed), System::nanoTime);
         } finally {
             idleTasks.add(task);
         }

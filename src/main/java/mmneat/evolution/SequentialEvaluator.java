@@ -36,25 +36,41 @@ public final class SequentialEvaluator implements Evaluator {
             if (Thread.currentThread().isInterrupted()) {
                 throw new CancellationException("interrupted in generation " + generation);
             }
-            Individual individual = evaluate(task, genotype, random, nanoTime);
+            Individual individual = evaluate(task, genotype, generation, random, nanoTime);
             individuals.add(individual);
             whenDone.accept(individual);
         }
         return individuals;
     }
 
-    static Individual evaluate(Task task, Genotype genotype, ResumableRandom random, LongSupplier nanoTime) {
+    static Individual evaluate(
+            Task task, Genotype genotype, int generation, ResumableRandom random, LongSupplier nanoTime) {
         long start = nanoTime.getAsLong();
         Evaluation evaluation = task.evaluate(genotype, random);
-        requireAsNamed("objectives", evaluation.objectives(), task.objectiveNames());
-        requireAsNamed("other scores", evaluation.otherScores(), task.otherScoreNames());
-        return Individual.of(genotype, evaluation, nanoTime.getAsLong() - start);
+        long nanoseconds = nanoTime.getAsLong() - start;
+        String whose = "genotype " + genotype.id() + " in generation " + generation;
+        requireScores(whose, "objective", evaluation.objectives(), task.objectiveNames());
+        requireScores(whose, "other score", evaluation.otherScores(), task.otherScoreNames());
+        if (evaluation.moduleUsage().length != genotype.modules()) {
+            // Any other length would open the gate of module mutation.
+            throw new IllegalStateException(
+                    whose + " has " + genotype.modules() + " modules, but the task gave the usage of "
+                            + evaluation.moduleUsage().length + ": give one number for each module");
+        }
+        return Individual.of(genotype, evaluation, nanoseconds);
     }
 
-    private static void requireAsNamed(String what, double[] scores, List<String> names) {
+    /** Scores are what names say, and numbers that have a place in an order, in logs and in figures. */
+    private static void requireScores(String whose, String what, double[] scores, List<String> names) {
         if (scores.length != names.size()) {
             throw new IllegalStateException(
-                    "the task gave " + scores.length + " " + what + " but names " + names.size() + ": " + names);
+                    "the task gave " + scores.length + " " + what + "s but names " + names.size() + ": " + names);
+        }
+        for (int i = 0; i < scores.length; i++) {
+            if (!Double.isFinite(scores[i])) {
+                throw new IllegalStateException(whose + ": the task gave " + scores[i] + " for the " + what + " '"
+                        + names.get(i) + "', which must be a finite number");
+            }
         }
     }
 }

@@ -18,6 +18,7 @@ import mmneat.nsga2.Mating;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -153,6 +154,32 @@ class EvolutionTest {
         assertThat(recording.generations).hasSize(1);
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "NaN, 0, 1, the task gave NaN for the objective 'Near', which must be a finite number",
+        "-Infinity, 0, 1, the task gave -Infinity for the objective 'Near', which must be a finite number",
+        "0, NaN, 1, the task gave NaN for the other score 'Answer', which must be a finite number",
+        "0, 0, 2, has 1 modules",
+        "0, 0, 0, but the task gave the usage of 0"
+    })
+    void evaluationThatIsNone_isAMistake_thatNamesGenotypeGenerationAndScore(
+            double objective, double other, int modules, String message) {
+        Evaluation evaluation = new Evaluation(
+                new double[] {objective}, new double[] {other}, new int[modules], Evaluation.Outcomes.NONE);
+        Genotype genotype = new InitialNetworks(1, ModuleLayout.single(1)).create(17, new ResumableRandom(1));
+        SequentialEvaluator sequential = new SequentialEvaluator(new ConstantTask(evaluation));
+        assertThatThrownBy(() -> sequential.evaluate(List.of(genotype), 5, 0, new ResumableRandom(1), individual -> {}))
+                .hasMessageStartingWith("genotype 17 in generation 5")
+                .hasMessageContaining(message);
+        try (ParallelEvaluator parallel = new ParallelEvaluator(() -> new ConstantTask(evaluation), 2, 1)) {
+            assertThatThrownBy(
+                            () -> parallel.evaluate(List.of(genotype), 5, 0, new ResumableRandom(1), individual -> {}))
+                    .cause()
+                    .hasMessageStartingWith("genotype 17 in generation 5")
+                    .hasMessageContaining(message);
+        }
+    }
+
     @Test
     void initialPopulationSeed_changesThePopulationAlone() {
         Task task = XorTask.exact();
@@ -279,6 +306,34 @@ class EvolutionTest {
         @Override
         public List<String> objectiveNames() {
             return List.of("OnlyOne");
+        }
+    }
+
+    /** Says the same of everybody. */
+    private record ConstantTask(Evaluation evaluation) implements Task {
+        @Override
+        public List<String> objectiveNames() {
+            return List.of("Near");
+        }
+
+        @Override
+        public List<String> otherScoreNames() {
+            return List.of("Answer");
+        }
+
+        @Override
+        public List<String> inputLabels() {
+            return List.of("Constant");
+        }
+
+        @Override
+        public int policyNeuronsPerModule() {
+            return 1;
+        }
+
+        @Override
+        public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+            return evaluation;
         }
     }
 
