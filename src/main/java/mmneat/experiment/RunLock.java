@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -161,11 +162,38 @@ final class RunLock implements AutoCloseable {
     }
 
     private static boolean create(Path file, LockHolder self) throws IOException {
+        byte[] json = json(self);
+        return create(file, content -> content.write(json));
+    }
+
+    /** What a lock's file says, written by somebody who may fail. */
+    interface Content {
+        void writeTo(OutputStream file) throws IOException;
+    }
+
+    /**
+     * Makes the file, if it is not there, and fills it.
+     *
+     * @return false if it is there
+     */
+    static boolean create(Path file, Content content) throws IOException {
+        OutputStream created;
         try {
-            Files.write(file, json(self), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-            return true;
+            created = Files.newOutputStream(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
         } catch (FileAlreadyExistsException e) {
             return false;
+        }
+        try (created) {
+            content.writeTo(created);
+            return true;
+        } catch (IOException e) {
+            // On a full disk there is room for the name alone: a lock that nobody holds would keep everybody out.
+            try {
+                Files.deleteIfExists(file);
+            } catch (IOException second) {
+                e.addSuppressed(second);
+            }
+            throw e;
         }
     }
 
@@ -241,7 +269,10 @@ final class RunLock implements AutoCloseable {
 
     private void touch() {
         try {
-            Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
+            // Another's lock must die with its holder.
+            if (read(file).filter(self::equalsToken).isPresent()) {
+                Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
+            }
         } catch (IOException e) {
             // The lock is gone or the file system is away for a moment: requireHeld, asked before each write, tells.
             touchFailure = e;

@@ -129,6 +129,31 @@ class RunLockTest {
     }
 
     @Test
+    void lockOfAnother_isNotTouchedByWhoLostIt() throws Exception {
+        try (RunLock slept = RunLock.acquire(folder, QUICK)) {
+            Path lock = writeLock("elsewhere", 7, Instant.now());
+            FileTime old = FileTime.from(Instant.EPOCH);
+            Files.setLastModifiedTime(lock, old);
+            // Twenty heartbeats.
+            Thread.sleep(QUICK.touch().toMillis() * 20);
+            assertThat(Files.getLastModifiedTime(lock)).isEqualTo(old);
+            assertThatThrownBy(slept::requireHeld).isInstanceOf(RunLock.HeldException.class);
+        }
+    }
+
+    @Test
+    void lockThatCannotBeWritten_leavesNoFileBehind() throws Exception {
+        Path lock = folder.resolve("lock.json");
+        assertThatThrownBy(() -> RunLock.create(lock, file -> {
+                    throw new IOException("No space left on device");
+                }))
+                .isInstanceOf(IOException.class)
+                .hasMessage("No space left on device");
+        assertThat(folder).isEmptyDirectory();
+        RunLock.acquire(folder, RunLock.Timing.USUAL).close();
+    }
+
+    @Test
     void holderWhoseLockWasDeleted_isToldSo() throws Exception {
         try (RunLock lock = RunLock.acquire(folder, QUICK)) {
             Files.delete(folder.resolve("lock.json"));
