@@ -2,6 +2,7 @@ package mmneat.experiment;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import mmneat.evolution.Task;
@@ -29,8 +30,33 @@ final class OwnTask {
     static Supplier<Task> factory(String className, String jar, Map<String, String> parameters) {
         Class<? extends Task> type = new OwnClasses(jar).find("task", className, Task.class);
         Supplier<Task> factory = () -> instance(type, parameters);
-        factory.get();
+        requireShape("task=" + className, factory.get());
         return factory;
+    }
+
+    /** Makes sure that there is something to evolve: networks with inputs and outputs, and something to select for. */
+    private static void requireShape(String task, Task made) {
+        List<String> objectives = made.objectiveNames();
+        if (objectives == null || objectives.isEmpty()) {
+            throw new UserError(task + ": names no objective; objectiveNames() must give at least one");
+        }
+        double[] least = made.leastScores();
+        if (least == null || least.length != objectives.size()) {
+            throw new UserError(task + ": leastScores() must give " + objectives.size()
+                    + " numbers, one for each objective, gives " + (least == null ? 0 : least.length));
+        }
+        List<String> inputs = made.inputLabels();
+        if (inputs == null || inputs.isEmpty() || made.inputs() != inputs.size()) {
+            throw new UserError(task + ": must have at least one input and a label for each, has " + made.inputs()
+                    + " inputs and " + (inputs == null ? 0 : inputs.size()) + " labels; see inputLabels()");
+        }
+        if (made.policyNeuronsPerModule() < 1) {
+            throw new UserError(task + ": policyNeuronsPerModule() must be at least 1, is "
+                    + made.policyNeuronsPerModule() + "; networks without outputs cannot be evolved");
+        }
+        if (made.trials() < 1) {
+            throw new UserError(task + ": trials() must be at least 1, is " + made.trials());
+        }
     }
 
     private static Task instance(Class<? extends Task> type, Map<String, String> parameters) {

@@ -7,7 +7,7 @@ package mmneat.neat;
  *
  * @param maxModules no module is added to a network that has so many ({@code maxModes})
  * @param usageForNewModule the least used of n modules must have been chosen in a share of at least 1 / (this * n) of the
- *     steps ({@code usageForNewMode})
+ *     steps ({@code usageForNewMode}); 0: no share is enough
  */
 public record ModuleGate(int maxModules, double usageForNewModule) {
 
@@ -18,9 +18,11 @@ public record ModuleGate(int maxModules, double usageForNewModule) {
         if (maxModules < 1) {
             throw new IllegalArgumentException("maxModes must be at least 1, is " + maxModules);
         }
-        if (!(usageForNewModule > 0)) {
-            throw new IllegalArgumentException("usageForNewMode must be positive, is " + usageForNewModule);
+        if (!(usageForNewModule >= 0)) {
+            throw new IllegalArgumentException("usageForNewMode must be at least 0, is " + usageForNewModule);
         }
+        // Of minus zero the share that is asked for would be minus infinity: every usage would do instead of none.
+        usageForNewModule = Math.abs(usageForNewModule);
     }
 
     /**

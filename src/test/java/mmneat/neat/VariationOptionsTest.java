@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Settings that the published experiments leave alone: what they change, and how many draws they take. */
 class VariationOptionsTest {
@@ -67,6 +69,13 @@ class VariationOptionsTest {
     void networkOfAllModulesAllowed_gainsNone() {
         assertThat(new ModuleGate(2, 10).isOpen(1, new int[] {100})).isTrue();
         assertThat(new ModuleGate(2, 10).isOpen(2, new int[] {50, 50})).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.0, -0.0})
+    void usageForNewModeOfZero_asksForAnInfiniteShare_andClosesTheGate(double zero) {
+        assertThat(new ModuleGate(1000, zero).isOpen(1, new int[] {100})).isFalse();
+        assertThat(new ModuleGate(1000, zero).isOpen(2, new int[] {50, 50})).isFalse();
     }
 
     @Test
