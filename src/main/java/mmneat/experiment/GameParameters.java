@@ -1,7 +1,9 @@
 package mmneat.experiment;
 
+import java.lang.reflect.RecordComponent;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import mmneat.mspacman.MsPacManTaskSettings;
@@ -89,6 +91,16 @@ record GameParameters(
             "RandomGhosts", RandomGhosts::new,
             "StarterGhosts", StarterGhosts::new,
             "VeryRandomLegacy", VeryRandomLegacy::new);
+
+    /** The names of parameters that mean nothing to other tasks: of the game, and of how networks are asked in it. */
+    static List<String> ofTheGameAlone() {
+        Set<String> shared = Set.of("multitaskModes", "jar");
+        return Stream.concat(
+                        Stream.of(GameParameters.class.getRecordComponents()).map(RecordComponent::getName),
+                        Stream.of("imprisonedWhileEdible"))
+                .filter(name -> !shared.contains(name))
+                .toList();
+    }
 
     /** @param locations where ghosts appear in the isolated version; null for the others */
     MsPacManTaskSettings settings(TaskVersion version, GhostLocations locations) {

@@ -63,6 +63,9 @@ public final class ParameterReader {
             remarks.add(GhostLocationsCopy.PARAMETER
                     + " has no effect: only the isolated task has recorded ghost locations");
         }
+        if (kind == TaskKind.OWN) {
+            remarkOnGame(commandLine, parameters, remarks);
+        }
         parameters.as(EvolutionParameters.class).requireConsistent();
         return new Result(parameters, List.copyOf(remarks));
     }
@@ -87,6 +90,21 @@ public final class ParameterReader {
             layer.put(word.name(), value);
         }
         return layer;
+    }
+
+    /** A file may hold defaults that nobody asked for, as that of every run does; on the command line each word is meant. */
+    private static void remarkOnGame(Map<String, String> commandLine, Parameters parameters, List<String> remarks) {
+        List<String> idle = GameParameters.ofTheGameAlone().stream()
+                .filter(name -> commandLine.containsKey(name)
+                        || !parameters
+                                .text(name)
+                                .equals(parameters.catalogue().require(name).defaultValue()))
+                .toList();
+        if (!idle.isEmpty()) {
+            remarks.add("no effect on task=" + parameters.text("task") + ": " + String.join(", ", idle)
+                    + " (for Ms. Pac-Man alone; parameters of a task of your own are called " + OwnTask.PREFIX
+                    + "NAME)");
+        }
     }
 
     /** A parameter file: Java properties, or one that the original saved. */

@@ -3,6 +3,8 @@ package mmneat.experiment;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
@@ -13,6 +15,7 @@ import mmneat.evolution.Task;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -100,6 +103,29 @@ class OwnTaskTest {
                 .hasMessageContaining(message)
                 .message()
                 .doesNotContain("\n");
+    }
+
+    @Test
+    void parametersOfTheGame_areRemarkedUpon() {
+        assertThat(read("trials=1", "edibleTime=100", "disabledMode=-1", "mu=7", "multitaskModes=2")
+                        .remarks())
+                .containsExactly("no effect on task=" + Shaped.class.getName()
+                        + ": trials, edibleTime, disabledMode (for Ms. Pac-Man alone;"
+                        + " parameters of a task of your own are called task.NAME)");
+        assertThat(read("method=2M", "mu=7", "task.trials=3").remarks()).isEmpty();
+    }
+
+    @Test
+    void fileOfARun_isRemarkedUpon_onlyForWhatSomebodyAskedFor(@TempDir Path folder) throws IOException {
+        RunPlan plain = ExperimentPlan.of(read("mu=7").parameters()).runs().get(0);
+        new RunParametersFile(folder).write(plain);
+        String config = "config=" + folder.resolve("parameters.properties");
+        assertThat(read(config).remarks()).isEmpty();
+        RunPlan idle =
+                ExperimentPlan.of(read("highLevel=false").parameters()).runs().get(0);
+        new RunParametersFile(folder).write(idle);
+        assertThat(read(config).remarks()).singleElement().asString().contains(": highLevel (");
+        assertThat(read(config).parameters().flag("highLevel")).isFalse();
     }
 
     @Test
