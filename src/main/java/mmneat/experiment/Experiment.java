@@ -7,12 +7,14 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import mmneat.evolution.DaemonThreads;
 import mmneat.evolution.Task;
@@ -34,7 +36,7 @@ public final class Experiment {
     /**
      * An experiment that has not begun.
      *
-     * @throws UserError if the task cannot be made or a run was begun with other parameters
+     * @throws UserError if the task cannot be made, or a run was begun with other parameters or has gone farther
      */
     public Experiment(ExperimentPlan plan) {
         this.plan = plan;
@@ -48,7 +50,7 @@ public final class Experiment {
                 .as(EvolutionParameters.class)
                 .settings(tasks.get(0).get());
         for (RunPlan run : plan.runs()) {
-            requireSameParameters(run);
+            requireContinuable(run);
         }
     }
 
@@ -75,13 +77,17 @@ public final class Experiment {
         }
     }
 
-    private static void requireSameParameters(RunPlan run) {
+    private static void requireContinuable(RunPlan run) {
         RunParametersFile file = new RunParametersFile(run.directory());
         try {
             if (file.exists()) {
                 file.requireSame(run);
             }
             GhostLocationsCopy.requireSame(run);
+            Optional<RunStatus> status = RunStatus.read(run.directory());
+            if (status.isPresent() && !status.get().isFinished(run.generations())) {
+                run.requireAtLeast(status.get().generation());
+            }
         } catch (IOException e) {
             throw new UserError(run.directory() + ": cannot be read: " + FileTrouble.reason(e), e);
         }
@@ -133,6 +139,8 @@ public final class Experiment {
             throw new IllegalStateException("a run's outcome was lost", e.getCause());
         } finally {
             workers.shutdownNow();
+            // Whoever interrupts may do as he likes with the folders afterwards; a second interruption does not wait.
+            workers.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
         }
     }
 

@@ -5,7 +5,7 @@ package mmneat.experiment;
  *
  * @param run the run
  * @param phase {@code FINISHED}, {@code ALREADY_FINISHED}, {@code IN_USE}, {@code FAILED} or {@code STOPPED}
- * @param status the last status, null if nothing was done
+ * @param status the last status, null if nothing was done or could be written
  * @param message one line for the user if the run was not completed; else null
  * @param failure why it failed, null if it did not or if the message says it all
  */

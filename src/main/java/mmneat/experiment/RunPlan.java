@@ -21,4 +21,17 @@ public record RunPlan(int number, Path directory, String prefix, Parameters para
     public int seed() {
         return parameters.integer("randomSeed");
     }
+
+    /**
+     * Makes sure that the run has not gone farther than it is to go: generations cannot be taken back.
+     *
+     * @throws UserError if it has
+     */
+    void requireAtLeast(int completed) {
+        if (completed > generations()) {
+            throw new UserError(directory + " has completed " + completed + " generations, more than maxGens="
+                    + generations() + "; give maxGens=" + completed + " or more to continue it, or another folder with"
+                    + " base=FOLDER");
+        }
+    }
 }

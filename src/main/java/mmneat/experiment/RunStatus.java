@@ -66,6 +66,11 @@ public record RunStatus(
         }
     }
 
+    /** The status of a run that had come so far and then failed. */
+    RunStatus failed(int wanted, String why) {
+        return new RunStatus(State.FAILED, generation, wanted, best, median, stepsPerSecond, secondsPerGeneration, why);
+    }
+
     /** When the status of a run was written last. */
     static Instant lastWritten(Path directory) throws IOException {
         return Files.getLastModifiedTime(file(directory)).toInstant();

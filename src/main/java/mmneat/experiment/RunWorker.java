@@ -2,6 +2,7 @@ package mmneat.experiment;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.channels.ClosedByInterruptException;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -59,16 +60,8 @@ final class RunWorker {
                 return new RunOutcome(run, RunMonitor.Phase.ALREADY_FINISHED, status.get(), null, null);
             }
             return evolveLocked();
-        } catch (RunLock.HeldException e) {
-            return new RunOutcome(run, RunMonitor.Phase.IN_USE, null, e.getMessage(), null);
-        } catch (CancellationException | InterruptedException e) {
-            return new RunOutcome(run, RunMonitor.Phase.STOPPED, null, "stopped", null);
-        } catch (UserError e) {
-            return failed(e.getMessage(), null);
-        } catch (UncheckedIOException | IOException e) {
-            return failed(fileMessage(e), null);
         } catch (Exception | Error e) {
-            return failed(e.toString(), e);
+            return endedBy(e);
         }
     }
 
@@ -78,13 +71,51 @@ final class RunWorker {
         try {
             // Listed, it is given back by whoever ends the program; that must not have happened before.
             gate.pass(() -> heldLocks.add(lock));
-            return evolve(lock);
-        } catch (RunRecorder.RunStoppedException e) {
-            throw e.getCause() instanceof Exception cause ? cause : e;
+            return evolveOrFail(lock);
         } finally {
             heldLocks.remove(lock);
             lock.close();
         }
+    }
+
+    /** Evolves; what others are to know of a failure is written as long as the folder is ours. */
+    private RunOutcome evolveOrFail(RunLock lock) {
+        try {
+            return evolve(lock);
+        } catch (Exception | Error e) {
+            RunOutcome outcome = endedBy(e);
+            return outcome.phase() == RunMonitor.Phase.FAILED ? recorded(outcome, lock) : outcome;
+        }
+    }
+
+    /** What becomes of a run that an exception ended. */
+    private RunOutcome endedBy(Throwable e) {
+        if (e instanceof RunRecorder.RunStoppedException stopped) {
+            return endedBy(stopped.getCause());
+        }
+        if (e instanceof RunLock.HeldException) {
+            return new RunOutcome(run, RunMonitor.Phase.IN_USE, null, e.getMessage(), null);
+        }
+        if (isInterruption(e)) {
+            return new RunOutcome(run, RunMonitor.Phase.STOPPED, null, "stopped", null);
+        }
+        if (e instanceof UserError) {
+            return failed(e.getMessage(), null);
+        }
+        if (e instanceof IOException file) {
+            return failed(fileMessage(file), null);
+        }
+        return e instanceof UncheckedIOException file
+                ? failed(fileMessage(file.getCause()), null)
+                : failed(e.toString(), e);
+    }
+
+    /** Whether somebody told the run to end; if that was in the midst of writing, the file's channel says so. */
+    private static boolean isInterruption(Throwable e) {
+        Throwable cause = e instanceof UncheckedIOException file ? file.getCause() : e;
+        return cause instanceof CancellationException
+                || cause instanceof InterruptedException
+                || cause instanceof ClosedByInterruptException;
     }
 
     private RunOutcome evolve(RunLock lock) throws IOException {
@@ -122,6 +153,7 @@ final class RunWorker {
             return initial;
         }
         Checkpoint last = saved.get();
+        run.requireAtLeast(last.evolution().generation());
         folder.cutTo(last.logs());
         files.writeNewestNetworks(last.evolution());
         if (!last.wasForced()) {
@@ -157,16 +189,25 @@ final class RunWorker {
     }
 
     private RunOutcome failed(String message, Throwable failure) {
-        int generation = monitor.snapshot().generation();
-        RunStatus status = new RunStatus(
-                RunStatus.State.FAILED, generation, run.generations(), Double.NaN, Double.NaN, 0, 0, message);
+        return new RunOutcome(run, RunMonitor.Phase.FAILED, null, message, failure);
+    }
+
+    /** The outcome with the status that says so; how far the run had come stays in it. */
+    private RunOutcome recorded(RunOutcome failed, RunLock lock) {
         try {
-            gate.pass(() -> status.write(run.directory()));
+            RunStatus last = RunStatus.read(run.directory())
+                    .orElseGet(() -> new RunStatus(
+                            RunStatus.State.RUNNING, 0, run.generations(), Double.NaN, Double.NaN, 0, 0, null));
+            RunStatus status = last.failed(run.generations(), failed.message());
+            gate.pass(() -> {
+                lock.requireHeld();
+                status.write(run.directory());
+            });
+            return new RunOutcome(run, failed.phase(), status, failed.message(), failed.failure());
         } catch (Exception e) {
             // The likeliest failure is a full disk; the message still reaches the user.
-            return new RunOutcome(run, RunMonitor.Phase.FAILED, status, message, withSuppressed(failure, e));
+            return new RunOutcome(run, failed.phase(), null, failed.message(), withSuppressed(failed.failure(), e));
         }
-        return new RunOutcome(run, RunMonitor.Phase.FAILED, status, message, failure);
     }
 
     private static Throwable withSuppressed(Throwable failure, Exception second) {
@@ -176,9 +217,8 @@ final class RunWorker {
         return failure;
     }
 
-    private String fileMessage(Exception e) {
-        IOException cause = e instanceof UncheckedIOException unchecked ? unchecked.getCause() : (IOException) e;
-        return "cannot write or read in " + run.directory() + ": " + FileTrouble.sentence(cause)
+    private String fileMessage(IOException e) {
+        return "cannot write or read in " + run.directory() + ": " + FileTrouble.sentence(e)
                 + "; what was complete is kept: mend it and give the same command again";
     }
 }
