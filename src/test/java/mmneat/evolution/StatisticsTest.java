@@ -58,6 +58,12 @@ class StatisticsTest {
     }
 
     @Test
+    void mode_valueExactlyAThousandthAbove_isAGroupOfItsOwn() {
+        assertThat(TrialStatistic.MODE.of(0, 0.001)).isEqualTo(0.001);
+        assertThat(TrialStatistic.MODE.of(0, Math.nextDown(0.001))).isZero();
+    }
+
+    @Test
     void max_isTheLargest() {
         assertThat(TrialStatistic.MAX.of(-3, -1, -2)).isEqualTo(-1);
     }

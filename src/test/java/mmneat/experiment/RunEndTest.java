@@ -181,6 +181,24 @@ class RunEndTest {
     }
 
     @Test
+    void runThatIsContinued_hasTheNetworksOfItsCheckpoint_andACheckpointThatOutlivesTheMachine() throws Exception {
+        failAfter(3);
+        run("maxGens=5");
+        assertThat(file("gen3")).doesNotExist();
+        assertThat(checkpoint().wasForced()).isFalse();
+        failAfter(0);
+        run("maxGens=5");
+        assertThat(file("gen3").toFile().list()).hasSize(MU);
+        assertThat(file("gen1")).doesNotExist();
+        assertThat(checkpoint().wasForced()).isTrue();
+        assertThat(checkpoint().evolution().generation()).isEqualTo(3);
+    }
+
+    private Checkpoint checkpoint() throws IOException {
+        return new CheckpointFile(folder.resolve("1M0")).load().orElseThrow();
+    }
+
+    @Test
     void fewerGenerationsThanAreComplete_areAMistake_andNothingIsTouched() throws Exception {
         failAfter(3);
         assertThat(run("maxGens=5").phase()).isEqualTo(RunMonitor.Phase.FAILED);

@@ -77,6 +77,16 @@ class RunFilesTest {
     }
 
     @Test
+    void fileOfShadows_isWrittenOnlyIfThereAreAny() throws IOException {
+        RunFiles.Choice networks = new RunFiles.Choice(false, true, true, true);
+        // Only networks of one module get shadows.
+        evolve(networks, ModuleLayout.withPreferenceNeurons(2, 1));
+        assertThat(directory.resolve("combiningCrossoverMapping.txt")).doesNotExist();
+        evolve(networks);
+        assertThat(directory.resolve("combiningCrossoverMapping.txt")).isNotEmptyFile();
+    }
+
+    @Test
     void withoutNetworks_thereAreLogsOnly_andTheOtherWayRound() throws IOException {
         evolve(new RunFiles.Choice(true, false, false, true));
         assertThat(folders()).isEmpty();
@@ -94,6 +104,10 @@ class RunFilesTest {
     }
 
     private void evolve(RunFiles.Choice choice) {
+        evolve(choice, new ModuleLayout(2, 1, 1, false));
+    }
+
+    private void evolve(RunFiles.Choice choice, ModuleLayout layout) {
         Task task = new SchafferTask();
         EvolutionSettings settings = new EvolutionSettings(
                 5,
@@ -101,7 +115,7 @@ class RunFilesTest {
                 MU,
                 GENERATIONS,
                 2,
-                new InitialNetworks(task.inputs(), new ModuleLayout(2, 1, 1, false)),
+                new InitialNetworks(task.inputs(), layout),
                 new Mating(true, 0.5, Crowding.WHOLE_POPULATION),
                 new VariationSettings(MutationRates.PUBLISHED.withModuleDuplication(0.3)));
         RunFolder folder = new RunFolder(directory, PREFIX);

@@ -67,6 +67,18 @@ class RunFolderTest {
     }
 
     @Test
+    void deletedFolder_waitsForTheDiskNoMore() throws IOException {
+        RunFolder folder = new RunFolder(directory, "x0_");
+        folder.write("gen1/a.xml", "x");
+        folder.write("gen10/a.xml", "x");
+        folder.writeRemakeable("gen1/b.xml", "x");
+        folder.deleteFolder("gen1");
+        assertThat(folder.unforced().stretches()).containsOnlyKeys("gen10/a.xml");
+        folder.forceAll();
+        assertThat(folder.unforced().count()).isZero();
+    }
+
+    @Test
     void deleteFolder_deletesWhatIsInIt_andNothingElse() throws IOException {
         RunFolder folder = new RunFolder(directory, "x0_");
         folder.write("gen1/a/b.xml", "x");
