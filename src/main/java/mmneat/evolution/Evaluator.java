@@ -17,6 +17,8 @@ public interface Evaluator {
      * @param random the run's generator
      * @param whenDone is told of each individual, in order, by the calling thread
      * @return the individuals in the order of the genotypes
+     * @throws BadEvaluationException if the task's scores are not those that it names, no finite numbers, or its module usage not
+     *     that of the genotype
      * @throws java.util.concurrent.CancellationException if the calling thread is interrupted
      */
     List<Individual> evaluate(

@@ -66,6 +66,9 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
             Thread.currentThread().interrupt();
             throw new CancellationException("interrupted in generation " + generation);
         } catch (ExecutionException e) {
+            if (e.getCause() instanceof BadEvaluationException bad) {
+                throw bad;
+            }
             throw new IllegalStateException("an evaluation failed in generation " + generation, e.getCause());
         } finally {
             pending.forEach(future -> future.cancel(true));

@@ -53,7 +53,7 @@ public final class SequentialEvaluator implements Evaluator {
         requireScores(whose, "other score", evaluation.otherScores(), task.otherScoreNames());
         if (evaluation.moduleUsage().length != genotype.modules()) {
             // Any other length would open the gate of module mutation.
-            throw new IllegalStateException(
+            throw new BadEvaluationException(
                     whose + " has " + genotype.modules() + " modules, but the task gave the usage of "
                             + evaluation.moduleUsage().length + ": give one number for each module");
         }
@@ -63,12 +63,12 @@ public final class SequentialEvaluator implements Evaluator {
     /** Scores are what names say, and numbers that have a place in an order, in logs and in figures. */
     private static void requireScores(String whose, String what, double[] scores, List<String> names) {
         if (scores.length != names.size()) {
-            throw new IllegalStateException(
+            throw new BadEvaluationException(
                     "the task gave " + scores.length + " " + what + "s but names " + names.size() + ": " + names);
         }
         for (int i = 0; i < scores.length; i++) {
             if (!Double.isFinite(scores[i])) {
-                throw new IllegalStateException(whose + ": the task gave " + scores[i] + " for the " + what + " '"
+                throw new BadEvaluationException(whose + ": the task gave " + scores[i] + " for the " + what + " '"
                         + names.get(i) + "', which must be a finite number");
             }
         }

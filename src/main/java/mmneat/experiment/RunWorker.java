@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
+import mmneat.evolution.BadEvaluationException;
 import mmneat.evolution.Evaluator;
 import mmneat.evolution.Evolution;
 import mmneat.evolution.EvolutionSettings;
@@ -101,6 +102,9 @@ final class RunWorker {
         }
         if (e instanceof UserError) {
             return failed(e.getMessage(), null);
+        }
+        if (e instanceof BadEvaluationException) {
+            return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), null);
         }
         if (e instanceof IOException file) {
             return failed(fileMessage(file), null);

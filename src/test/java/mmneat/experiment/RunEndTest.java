@@ -32,6 +32,9 @@ class RunEndTest {
 
     private static volatile Runnable scoring;
 
+    /** The evaluation that gives no number. */
+    private static volatile int withoutScore;
+
     @TempDir
     Path folder;
 
@@ -66,12 +69,10 @@ class RunEndTest {
 
         @Override
         public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+            double score = evaluations == withoutScore ? Double.NaN : random.nextDouble();
             evaluating.begin(evaluations++);
             return new Evaluation(
-                    new double[] {random.nextDouble()},
-                    new double[0],
-                    new int[genotype.modules()],
-                    Evaluation.Outcomes.NONE);
+                    new double[] {score}, new double[0], new int[genotype.modules()], Evaluation.Outcomes.NONE);
         }
     }
 
@@ -83,6 +84,7 @@ class RunEndTest {
     private static void uneventful() {
         evaluating = evaluation -> {};
         scoring = () -> {};
+        withoutScore = -1;
     }
 
     RunEndTest() {
@@ -196,6 +198,19 @@ class RunEndTest {
 
     private Checkpoint checkpoint() throws IOException {
         return new CheckpointFile(folder.resolve("1M0")).load().orElseThrow();
+    }
+
+    @Test
+    void scoreOfTheFinalParentsThatIsNoNumber_isAFailureThatNamesIt_andTheRunIsNotFinished() throws Exception {
+        withoutScore = 2 * MU * 2 + 1;
+        RunOutcome outcome = run("maxGens=2");
+        assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        assertThat(outcome.message())
+                .startsWith("task=" + EventfulTask.class.getName() + ": genotype ")
+                .endsWith(
+                        " in generation 2: the task gave NaN for the objective 'Score', which must be a finite number");
+        assertThat(outcome.failure()).isNull();
+        assertThat(status().isFinished(2)).isFalse();
     }
 
     @Test
