@@ -12,7 +12,8 @@ import mmneat.random.ResumableRandom;
  * <p>The original ends the program here; this works. Outputs are known by position, so the modules behind the removed one take
  * over its outputs' innovations, and the links of moved outputs get new numbers: equal numbers keep meaning equal end points.
  *
- * @param isLeastUsedChosen whether the module that was used least goes ({@code deleteLeastUsed}), else a random one
+ * @param isLeastUsedChosen whether the module that was used least goes ({@code deleteLeastUsed}), of several the first;
+ *     else a random one
  */
 record DeleteModuleMutation(boolean isLeastUsedChosen) implements MutationOperator {
 

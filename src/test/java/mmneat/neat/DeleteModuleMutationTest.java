@@ -38,6 +38,34 @@ class DeleteModuleMutationTest {
     }
 
     @Test
+    void firstOfTheLeastUsedModules_goes() {
+        for (int[] usage : new int[][] {{5, 1, 1}, {5, 5, 5}, {2, 9, 2}}) {
+            Genotype before = threeModules().withModuleUsage(usage);
+            Genotype after = delete(new DeleteModuleMutation(true), before);
+            assertEqualAnswers(before, after, usage[0] == 5 && usage[1] == 1 ? 1 : 0);
+        }
+    }
+
+    @Test
+    void outputsThatMove_takeTheirGenesAlong() {
+        Genotype grown = threeModules();
+        List<NodeGene> nodes = new ArrayList<>(grown.nodes());
+        int lastPolicy = grown.firstOutput() + grown.layout().policyOutput(MODULES - 1, 0);
+        long innovation = nodes.get(lastPolicy).innovation();
+        nodes.set(lastPolicy, new NodeGene(innovation, NodeType.OUTPUT, ActivationFunction.IDENTITY, true, false));
+        Genotype before = new Genotype(0, grown.inputs(), grown.layout(), nodes, grown.links(), new int[] {0, 1, 1});
+
+        Genotype after = delete(new DeleteModuleMutation(true), before);
+
+        for (int output = 0; output < after.outputs(); output++) {
+            NodeGene node = after.nodes().get(after.firstOutput() + output);
+            boolean isMoved = output == after.layout().policyOutput(MODULES - 2, 0);
+            assertThat(node.frozen()).isEqualTo(isMoved);
+            assertThat(node.activation()).isEqualTo(isMoved ? ActivationFunction.IDENTITY : ActivationFunction.TANH);
+        }
+    }
+
+    @Test
     void randomModule_takesOneDraw_andEachModuleHasItsTurn() {
         Set<Integer> deleted = new HashSet<>();
         for (int i = 0; i < 60; i++) {

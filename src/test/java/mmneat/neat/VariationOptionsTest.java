@@ -2,7 +2,12 @@ package mmneat.neat;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Random;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,6 +81,61 @@ class VariationOptionsTest {
     void usageForNewModeOfZero_asksForAnInfiniteShare_andClosesTheGate(double zero) {
         assertThat(new ModuleGate(1000, zero).isOpen(1, new int[] {100})).isFalse();
         assertThat(new ModuleGate(1000, zero).isOpen(2, new int[] {50, 50})).isFalse();
+    }
+
+    @Test
+    void usageOfAnotherNumberOfModules_opensTheGate_whateverItSays() {
+        ModuleGate gate = ModuleGate.PUBLISHED;
+        assertThat(gate.isOpen(3, new int[] {100, 0})).isTrue();
+        assertThat(gate.isOpen(2, new int[] {0, 0, 0})).isTrue();
+        assertThat(gate.isOpen(2, new int[0])).isTrue();
+        assertThat(gate.isOpen(2, new int[] {100, 0})).isFalse();
+        assertThat(gate.isOpen(3, new int[] {0, 0, 0})).isFalse();
+    }
+
+    @Test
+    void frozenLinks_arePassedOver_withoutADraw() {
+        GenotypeDraft draft = GenotypeDraft.of(network);
+        for (int i = 0; i < draft.links().size(); i += 2) {
+            draft.links().set(i, draft.links().get(i).withFrozen(true));
+        }
+        List<LinkGene> expected = new ArrayList<>(draft.links());
+        ResumableRandom expectedDraws = random.copy();
+        for (int i = 1; i < expected.size(); i += 2) {
+            LinkGene link = expected.get(i);
+            if (expectedDraws.nextDouble() < 0.5) {
+                expected.set(i, link.withWeight(link.weight() + expectedDraws.nextGaussian()));
+            }
+        }
+
+        new AllWeightMutation(0.5).apply(draft, GenePool.foundedOn(network), random);
+
+        assertThat(draft.links()).isEqualTo(expected);
+        assertThat(random.state()).isEqualTo(expectedDraws.state());
+    }
+
+    @Test
+    void selectiveStart_shufflesTheInputs_andDrawsWeightsInTheirOrder() {
+        InputSelection three = new InputSelection(true, 3);
+        ModuleLayout layout = ModuleLayout.multitask(2, 1);
+        InitialNetworks networks = new InitialNetworks(INPUTS, layout, three, ActivationFunction.TANH);
+        for (int seed = 0; seed < 20; seed++) {
+            Random plain = new Random(seed);
+            Map<String, Double> expected = new HashMap<>();
+            for (int output = 0; output < 2; output++) {
+                List<Integer> inputs = new ArrayList<>(List.of(0, 1, 2, 3, 4, 5, 6));
+                Collections.shuffle(inputs, plain);
+                for (int input : inputs.stream().limit(3).sorted().toList()) {
+                    expected.put((-1 - input) + " to " + (-1 - INPUTS - output), plain.nextDouble() * 2 - 1);
+                }
+            }
+
+            Genotype selective = networks.create(0, new ResumableRandom(seed));
+
+            Map<String, Double> weights = new HashMap<>();
+            selective.links().forEach(link -> weights.put(link.source() + " to " + link.target(), link.weight()));
+            assertThat(weights).isEqualTo(expected);
+        }
     }
 
     @Test
