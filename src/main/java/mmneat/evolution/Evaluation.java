@@ -1,6 +1,7 @@
 package mmneat.evolution;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * What an evaluation says of a genotype.
@@ -13,10 +14,30 @@ import java.util.Arrays;
  */
 public record Evaluation(double[] objectives, double[] otherScores, int[] moduleUsage, Outcomes outcomes) {
 
+    /** An evaluation with copies of the arrays. */
     public Evaluation {
-        objectives = objectives.clone();
-        otherScores = otherScores.clone();
-        moduleUsage = moduleUsage.clone();
+        objectives = Objects.requireNonNull(objectives, "objectives").clone();
+        otherScores = Objects.requireNonNull(otherScores, "otherScores").clone();
+        moduleUsage = Objects.requireNonNull(moduleUsage, "moduleUsage").clone();
+        Objects.requireNonNull(outcomes, "outcomes");
+    }
+
+    /** Scores that are selected for (a copy). */
+    @Override
+    public double[] objectives() {
+        return objectives.clone();
+    }
+
+    /** Scores that are only recorded (a copy). */
+    @Override
+    public double[] otherScores() {
+        return otherScores.clone();
+    }
+
+    /** How often each output module was chosen (a copy). */
+    @Override
+    public int[] moduleUsage() {
+        return moduleUsage.clone();
     }
 
     /**

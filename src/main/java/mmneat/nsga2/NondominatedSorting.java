@@ -105,9 +105,9 @@ public final class NondominatedSorting {
         return order[position];
     }
 
-    /** Fronts from the best on, each with its members. */
+    /** Fronts from the best on, each with its members (copies). */
     public List<int[]> fronts() {
-        return fronts;
+        return fronts.stream().map(int[]::clone).toList();
     }
 
     /** Front of an individual, from 0. */

@@ -63,6 +63,16 @@ class SelectionTest {
     }
 
     @Test
+    void frontsThatWereHandedOut_areTheCallersOwn() {
+        for (Crowding crowding : Crowding.values()) {
+            NondominatedSorting sorting = NondominatedSorting.of(new double[][] {{1, 2}, {2, 1}, {0, 0}}, crowding);
+            List<int[]> before = sorting.fronts().stream().map(int[]::clone).toList();
+            sorting.fronts().get(0)[0] = 99;
+            assertThat(sorting.fronts()).containsExactlyElementsOf(before);
+        }
+    }
+
+    @Test
     void wholePopulation_hasOneLeastAndOneGreatestPerObjective_atInfinity() {
         double[][] same = {{3, 3}, {3, 3}, {3, 3}, {3, 3}};
         NondominatedSorting sorting = NondominatedSorting.of(same, Crowding.WHOLE_POPULATION);
