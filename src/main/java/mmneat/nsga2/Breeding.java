@@ -18,7 +18,7 @@ public interface Breeding<P, C> {
      * The children of two parents, who may be the same.
      *
      * @param room how many children are wanted, at least 1
-     * @return two children, or one if there is room for one only
+     * @return at least one child, at most {@code room}; the original makes two if there is room
      */
     List<C> fromTwo(P parent, P mate, int room, ResumableRandom random);
 }

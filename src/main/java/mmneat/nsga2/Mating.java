@@ -2,6 +2,7 @@ package mmneat.nsga2;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -19,6 +20,7 @@ import mmneat.random.ResumableRandom;
 public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding) {
 
     public Mating {
+        Objects.requireNonNull(crowding, "crowding");
         if (!(crossoverRate >= 0 && crossoverRate <= 1)) {
             throw new IllegalArgumentException("crossoverRate must be in [0, 1], is " + crossoverRate);
         }
@@ -30,6 +32,9 @@ public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding
      * @param parents the parents, at least one if children are wanted
      * @param scores {@code scores[parent][objective]}
      * @param isFirstGeneration whether this is generation 0, whose tournaments differ
+     * @throws IllegalArgumentException if there are not as many scores as parents, no parents although children are wanted, or
+     *     scores that cannot be compared ({@link NondominatedSorting#of})
+     * @throws IllegalStateException if {@code breeding} gives no children of two parents, or more than there is room for
      */
     public <P, C> List<C> children(
             List<P> parents,
@@ -38,18 +43,41 @@ public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding
             int count,
             Breeding<P, C> breeding,
             ResumableRandom random) {
+        requireParents(parents.size(), scores.length, count);
         Tournament tournament = tournament(scores, isFirstGeneration);
         List<C> children = new ArrayList<>(count);
         while (children.size() < count) {
             P parent = parents.get(tournament.winner(random));
             if (isCrossing && random.nextDouble() < crossoverRate) {
                 P mate = parents.get(tournament.winner(random));
-                children.addAll(breeding.fromTwo(parent, mate, count - children.size(), random));
+                int room = count - children.size();
+                List<C> pair = breeding.fromTwo(parent, mate, room, random);
+                requireFitting(pair.size(), room);
+                children.addAll(pair);
             } else {
                 children.add(breeding.fromOne(parent, random));
             }
         }
         return children;
+    }
+
+    private static void requireParents(int parents, int scores, int count) {
+        if (parents != scores) {
+            throw new IllegalArgumentException("there are " + parents + " parents but scores of " + scores);
+        }
+        if (count < 0) {
+            throw new IllegalArgumentException("number of children must not be negative, is " + count);
+        }
+        if (count > 0 && parents == 0) {
+            throw new IllegalArgumentException("there are no parents to make " + count + " children of");
+        }
+    }
+
+    private static void requireFitting(int children, int room) {
+        if (children < 1 || children > room) {
+            throw new IllegalStateException(
+                    "two parents must have 1 to " + room + " children, the breeding gave " + children);
+        }
     }
 
     private Tournament tournament(double[][] scores, boolean isFirstGeneration) {

@@ -3,6 +3,7 @@ package mmneat.nsga2;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * A population sorted into fronts, with crowding distances. Individuals are named by their index in the score array.
@@ -31,6 +32,7 @@ public final class NondominatedSorting {
      * @throws IllegalArgumentException if score vectors differ in length or a score is not finite
      */
     public static NondominatedSorting of(double[][] scores, Crowding crowding) {
+        Objects.requireNonNull(crowding, "crowding");
         requireComparable(scores);
         return crowding.sort(scores);
     }

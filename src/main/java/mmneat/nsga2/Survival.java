@@ -19,9 +19,11 @@ public final class Survival {
      * @param count how many survive, at most all
      * @param crowding among whom the crowding distance is measured
      * @return indices of the survivors, in the order in which they are the next parents
+     * @throws IllegalArgumentException if {@code count} is negative or more than all, or scores cannot be compared ({@link
+     *     NondominatedSorting#of})
      */
     public static int[] survivors(double[][] scores, int count, Crowding crowding) {
-        if (count > scores.length) {
+        if (count < 0 || count > scores.length) {
             throw new IllegalArgumentException(count + " of " + scores.length + " individuals cannot survive");
         }
         NondominatedSorting sorting = NondominatedSorting.of(scores, crowding);

@@ -5,12 +5,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Selection by the definitions, on random score sets full of ties. */
 class SelectionTest {
@@ -184,6 +188,57 @@ class SelectionTest {
                 .hasMessage("crossoverRate must be in [0, 1], is 1.5");
     }
 
+    @Test
+    void crowdingThatIsMissing_isRefused() {
+        double[][] scores = {{1}};
+        assertThatThrownBy(() -> new Mating(true, 0.5, null)).hasMessage("crowding");
+        assertThatThrownBy(() -> Survival.survivors(scores, 1, null)).hasMessage("crowding");
+        assertThatThrownBy(() -> NondominatedSorting.of(scores, null)).hasMessage("crowding");
+    }
+
+    @Test
+    void negativeNumberOfSurvivors_isRefused() {
+        assertThatThrownBy(() -> Survival.survivors(new double[][] {{1}}, -1, Crowding.PER_FRONT))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("-1 of 1 individuals cannot survive");
+    }
+
+    @Test
+    void parentsAndScores_areEquallyMany() {
+        double[][] two = {{1}, {2}};
+        assertThatThrownBy(() -> childrenOf(List.of(0, 1, 2), two, 4))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("there are 3 parents but scores of 2");
+        assertThatThrownBy(() -> childrenOf(List.of(0), two, 4)).hasMessage("there are 1 parents but scores of 2");
+        assertThatThrownBy(() -> childrenOf(List.of(), new double[0][], 4))
+                .hasMessage("there are no parents to make 4 children of");
+        assertThatThrownBy(() -> childrenOf(List.of(0, 1), two, -1))
+                .hasMessage("number of children must not be negative, is -1");
+        assertThat(childrenOf(List.of(), new double[0][], 0)).isEmpty();
+    }
+
+    private static List<String> childrenOf(List<Integer> parents, double[][] scores, int count) {
+        return new Mating(true, 1, Crowding.PER_FRONT)
+                .children(parents, scores, false, count, new NamingBreeding(), new ResumableRandom(1));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 4})
+    @Timeout(value = 10, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void crossover_makesAtLeastOneChild_andNoMoreThanThereIsRoomFor(int children) {
+        Breeding<Integer, String> breeding = new NamingBreeding() {
+            @Override
+            public List<String> fromTwo(Integer parent, Integer mate, int room, ResumableRandom random) {
+                return Collections.nCopies(children, "of two");
+            }
+        };
+        Mating mating = new Mating(true, 1, Crowding.PER_FRONT);
+        double[][] scores = {{1}};
+        assertThatThrownBy(() -> mating.children(List.of(0), scores, false, 3, breeding, new ResumableRandom(1)))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("two parents must have 1 to 3 children, the breeding gave " + children);
+    }
+
     private static double[][] randomScores(ResumableRandom random) {
         int objectives = 1 + random.nextInt(3);
         int values = 1 + random.nextInt(12);
@@ -227,7 +282,7 @@ class SelectionTest {
         return count;
     }
 
-    private static final class NamingBreeding implements Breeding<Integer, String> {
+    private static class NamingBreeding implements Breeding<Integer, String> {
         @Override
         public String fromOne(Integer parent, ResumableRandom random) {
             return "of one";
