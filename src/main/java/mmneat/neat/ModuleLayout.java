@@ -15,6 +15,11 @@ package mmneat.neat;
  */
 public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule, boolean standardMultitask) {
 
+    /**
+     * A checked layout.
+     *
+     * @throws IllegalArgumentException if a number is not positive, or so many outputs do not make such modules
+     */
     public ModuleLayout {
         if (policyNeuronsPerModule < 1) {
             throw new IllegalArgumentException(
@@ -33,17 +38,29 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
         }
     }
 
-    /** One module without preference neuron: method 1M. */
+    /**
+     * One module without preference neuron: method 1M.
+     *
+     * @throws IllegalArgumentException if there is no policy neuron
+     */
     public static ModuleLayout single(int policyNeurons) {
         return new ModuleLayout(policyNeurons, 1, policyNeurons, false);
     }
 
-    /** Modules that compete by preference neurons: methods 2M, 3M and, with one module at the start, MMD. */
+    /**
+     * Modules that compete by preference neurons: methods 2M, 3M and, with one module at the start, MMD.
+     *
+     * @throws IllegalArgumentException if there is no module or no policy neuron
+     */
     public static ModuleLayout withPreferenceNeurons(int modules, int policyNeuronsPerModule) {
         return new ModuleLayout(modules * (policyNeuronsPerModule + 1), modules, policyNeuronsPerModule, false);
     }
 
-    /** Modules that the task chooses from: methods MT, MT2 and MT3. */
+    /**
+     * Modules that the task chooses from: methods MT, MT2 and MT3.
+     *
+     * @throws IllegalArgumentException if there is no module or no policy neuron
+     */
     public static ModuleLayout multitask(int modules, int policyNeuronsPerModule) {
         return new ModuleLayout(modules * policyNeuronsPerModule, modules, policyNeuronsPerModule, true);
     }
@@ -58,23 +75,53 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
         return policyNeuronsPerModule + (hasPreferenceNeurons() ? 1 : 0);
     }
 
-    /** Output number of a module's policy neuron. */
+    /**
+     * Output number of a module's policy neuron.
+     *
+     * @throws IllegalArgumentException if there is no such module, or it has no such policy neuron
+     */
     public int policyOutput(int module, int neuron) {
+        requireIndex("module", module, modules);
+        requireIndex("policy neuron", neuron, policyNeuronsPerModule);
         return module * neuronsPerModule() + neuron;
     }
 
-    /** Output number of a module's preference neuron; only if there are preference neurons. */
+    /**
+     * Output number of a module's preference neuron.
+     *
+     * @throws IllegalArgumentException if there is no such module, or modules have no preference neurons
+     */
     public int preferenceOutput(int module) {
+        requireIndex("module", module, modules);
+        if (!hasPreferenceNeurons()) {
+            throw new IllegalArgumentException("the network has no preference neurons");
+        }
         return module * neuronsPerModule() + policyNeuronsPerModule;
     }
 
-    /** Module that an output belongs to. */
+    /**
+     * Module that an output belongs to.
+     *
+     * @throws IllegalArgumentException if there is no such output
+     */
     public int moduleOf(int output) {
+        requireIndex("output", output, outputs);
         return output / neuronsPerModule();
     }
 
-    /** Whether an output is a preference neuron. */
+    /**
+     * Whether an output is a preference neuron.
+     *
+     * @throws IllegalArgumentException if there is no such output
+     */
     public boolean isPreference(int output) {
+        requireIndex("output", output, outputs);
         return hasPreferenceNeurons() && output % neuronsPerModule() == policyNeuronsPerModule;
+    }
+
+    private static void requireIndex(String name, int index, int count) {
+        if (index < 0 || index >= count) {
+            throw new IllegalArgumentException(name + " must be 0 to " + (count - 1) + ", is " + index);
+        }
     }
 }

@@ -1,6 +1,7 @@
 package mmneat.neat.network;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * How a network's answer is made of its modules' answers. The published experiments use {@link #PREFERENCE} alone.
@@ -54,7 +55,8 @@ public record ModuleArbitration(
                     "preferenceNeuronFatigueUnit and preferenceNeuronDecay must be finite, are " + fatigueUnit + " and "
                             + fatigueDecay);
         }
-        taskOfModule = taskOfModule.clone();
+        Objects.requireNonNull(answer, "answer");
+        taskOfModule = Objects.requireNonNull(taskOfModule, "taskOfModule").clone();
     }
 
     /** The same with {@code temperature} for softmax; the original's default is 0.25. */

@@ -1,5 +1,6 @@
 package mmneat.neat.network;
 
+import java.util.Arrays;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.ModuleLayout;
@@ -63,6 +64,8 @@ public final class Network {
     final int[] slotOfNode;
     /** Slot of each output neuron, by output number. */
     final int[] slotOfOutput;
+    /** Slot of each module's preference neuron; empty if modules have none. */
+    final int[] slotOfPreference;
     /** Number of slots; the neurons are [inputs, slots). */
     final int slots;
     /** Neurons from this slot on are lazy. */
@@ -111,6 +114,8 @@ public final class Network {
         this.functions = functions;
         slotOfOutput = new int[layout.outputs()];
         System.arraycopy(slotOfNode, genotype.firstOutput(), slotOfOutput, 0, slotOfOutput.length);
+        slotOfPreference = new int[layout.hasPreferenceNeurons() ? layout.modules() : 0];
+        Arrays.setAll(slotOfPreference, module -> slotOfOutput[layout.preferenceOutput(module)]);
     }
 
     /** The network of a genotype, without the nodes from which no output can be reached. */
@@ -140,7 +145,11 @@ public final class Network {
         return new NetworkState(this, arbitration);
     }
 
-    /** New states of this network that are activated together, such as one per direction; modules by plain preference. */
+    /**
+     * New states of this network that are activated together, such as one per direction; modules by plain preference.
+     *
+     * @throws IllegalArgumentException if {@code count} is not 1 to 31
+     */
     public NetworkStates newStates(int count) {
         return newStates(count, ModuleArbitration.PREFERENCE);
     }
@@ -179,8 +188,16 @@ public final class Network {
         return slotOfNode.length - slotOfOutput.length;
     }
 
-    /** Whether the node at this position of {@link Genotype#nodes()} is part of the network: it has an activation. */
+    /**
+     * Whether the node at this position of {@link Genotype#nodes()} is part of the network: it has an activation.
+     *
+     * @throws IllegalArgumentException if the genotype has no such node
+     */
     public boolean hasNode(int position) {
+        if (position < 0 || position >= slotOfNode.length) {
+            throw new IllegalArgumentException(
+                    "node must be one of the genotype's " + slotOfNode.length + ", is " + position);
+        }
         return slotOfNode[position] != LEFT_OUT;
     }
 

@@ -87,6 +87,7 @@ public final class NetworkState {
      *
      * @param inputActivations activation of input i at index {@code offset + i}
      * @return the chosen module, as for {@link #activate}
+     * @throws IllegalArgumentException if there are not as many values from {@code offset} on as the network has inputs
      */
     public int activateFrom(double[] inputActivations, int offset, ResumableRandom random) {
         begin(inputActivations, offset);
@@ -146,7 +147,12 @@ public final class NetworkState {
         lastModule = 0;
     }
 
-    /** The answer of the last step: activation of a policy neuron of the chosen module; 0 after a flush. */
+    /**
+     * The answer of the last step: activation of a policy neuron of the chosen module; 0 after a flush.
+     *
+     * @param neuron number of the policy neuron within its module
+     * @throws IllegalArgumentException if modules have no such policy neuron
+     */
     public double policyOutput(int neuron) {
         if (arbiter != null && arbiter.averages()) {
             return arbiter.average(this, neuron);
@@ -154,18 +160,38 @@ public final class NetworkState {
         return moduleOutput(lastModule, neuron);
     }
 
-    /** Activation of a module's policy neuron in the last step, whichever module was chosen. */
+    /**
+     * Activation of a module's policy neuron in the last step, whichever module was chosen; 0 after a flush.
+     *
+     * @throws IllegalArgumentException if there is no such module, or it has no such policy neuron
+     */
     public double moduleOutput(int module, int neuron) {
-        return outputActivation(network.layout.policyOutput(module, neuron));
+        return activationOfOutput(network.layout.policyOutput(module, neuron));
     }
 
-    /** Activation of a module's preference neuron in the last step; only in networks that have such neurons. */
+    /**
+     * Activation of a module's preference neuron in the last step; 0 after a flush.
+     *
+     * @throws IllegalArgumentException if there is no such module, or the network has no preference neurons
+     */
     public double preference(int module) {
-        return outputActivation(network.layout.preferenceOutput(module));
+        return activationOfOutput(network.layout.preferenceOutput(module));
     }
 
-    /** Activation of an output neuron, by output number, in the last step; 0 after a flush. */
+    /**
+     * Activation of an output neuron, by output number, in the last step; 0 after a flush.
+     *
+     * @throws IllegalArgumentException if there is no such output
+     */
     public double outputActivation(int output) {
+        if (output < 0 || output >= network.slotOfOutput.length) {
+            throw new IllegalArgumentException(
+                    "output must be one of the network's " + network.slotOfOutput.length + ", is " + output);
+        }
+        return activationOfOutput(output);
+    }
+
+    private double activationOfOutput(int output) {
         if (flushed) {
             return 0;
         }
@@ -178,16 +204,16 @@ public final class NetworkState {
      * Activation of a node in the last step; 0 after a flush.
      *
      * @param position of the node in the genotype's list
-     * @throws IllegalArgumentException if the node was left out ({@link Network#hasNode})
+     * @throws IllegalArgumentException if there is no such node, or it was left out ({@link Network#hasNode})
      */
     public double nodeActivation(int position) {
-        int slot = network.slotOfNode[position];
-        if (slot == Network.LEFT_OUT) {
+        if (!network.hasNode(position)) {
             throw new IllegalArgumentException(
                     "node " + position + " reaches no output and was left out; compileWithAllNodes keeps it");
         }
+        int slot = network.slotOfNode[position];
         if (isLazy(slot)) {
-            return outputActivation(position - network.firstOutput());
+            return activationOfOutput(position - network.firstOutput());
         }
         for (int group = 0; group < computed.length && !flushed; group++) {
             computeExactly(group);
@@ -207,8 +233,16 @@ public final class NetworkState {
 
     /** First part of a step: what recurrent links and inputs bring. */
     void begin(double[] inputActivations, int offset) {
+        if (offset < 0 || offset > inputActivations.length - network.inputs) {
+            throw tooFew(inputActivations.length, offset);
+        }
         remember();
         System.arraycopy(inputActivations, offset, activations, 0, network.inputs);
+    }
+
+    private IllegalArgumentException tooFew(int values, int offset) {
+        return new IllegalArgumentException(
+                "the network has " + network.inputs + " inputs, got " + values + " values to be read from " + offset);
     }
 
     /** Second part of a step: the exact activations of a group, and of those that it depends on. */
@@ -300,7 +334,7 @@ public final class NetworkState {
         }
         computeRoughly(Network.SHARED);
         for (int module = 0; module < preferences.length; module++) {
-            preferences[module] = sum(network.slotOfOutput[network.layout.preferenceOutput(module)]);
+            preferences[module] = sum(network.slotOfPreference[module]);
         }
         return clearlyHighest(preferences, preferences.length, network.margin);
     }

@@ -38,7 +38,11 @@ public final class NetworkStates {
         return states.length;
     }
 
-    /** One of the states; it may be used by itself too. */
+    /**
+     * One of the states; it may be used by itself too.
+     *
+     * @throws IndexOutOfBoundsException if there is no such state
+     */
     public NetworkState get(int index) {
         return states[index];
     }
@@ -51,10 +55,15 @@ public final class NetworkStates {
      * @param inputActivations activation of input j of state i at index {@code i * stride + j}
      * @param stride distance between the rows of two states, at least the number of inputs
      * @param random one {@code nextInt} is drawn per state that makes a step, by index
-     * @throws IllegalArgumentException if a bit is set for which there is no state
+     * @throws IllegalArgumentException if a bit is set for which there is no state or not a whole row of values, or the stride
+     *     is less than the number of inputs
      */
     public void activate(int which, double[] inputActivations, int stride, ResumableRandom random) {
         requireStates(which);
+        if (stride < network.inputs) {
+            throw new IllegalArgumentException(
+                    "stride must be at least the network's " + network.inputs + " inputs, is " + stride);
+        }
         int count = 0;
         for (int i = 0; i < states.length; i++) {
             if ((which >>> i & 1) != 0) {
@@ -69,6 +78,7 @@ public final class NetworkStates {
      * The same with a row of its own for each state.
      *
      * @param inputActivations activation of input j of state i at {@code [i][j]}; rows of states that make no step are not read
+     * @throws IllegalArgumentException if a bit is set for which there is no state, or its row has too few values
      */
     public void activate(int which, double[][] inputActivations, ResumableRandom random) {
         requireStates(which);
@@ -107,6 +117,7 @@ public final class NetworkStates {
      * @param neuron number of the policy neuron that answers
      * @return the state whose {@link NetworkState#policyOutput} is higher than those of all others and than -1, or -1 if
      *     that takes a closer look
+     * @throws IllegalArgumentException if a bit is set for which there is no state, or modules have no such policy neuron
      */
     public int clearlyHighest(int which, int neuron) {
         requireStates(which);
@@ -134,7 +145,11 @@ public final class NetworkStates {
         return index;
     }
 
-    /** {@link NetworkState#presetModule} of every state. */
+    /**
+     * {@link NetworkState#presetModule} of every state.
+     *
+     * @throws IllegalArgumentException as there
+     */
     public void presetModule(int module) {
         for (NetworkState state : states) {
             state.presetModule(module);

@@ -15,6 +15,7 @@ import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
 import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -231,6 +232,52 @@ class NetworkStateTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> state.activate(new double[2], new ResumableRandom(1)))
                 .withMessageContaining("1 inputs, got 2");
+    }
+
+    @Test
+    void neuronsThatDoNotExist_areRefused() {
+        Network preferring = Network.compile(SampleGenotypes.grown(random, 2, SampleGenotypes.withPreference(2), 0, 0));
+        Network multitask = Network.compile(SampleGenotypes.grown(random, 2, ModuleLayout.multitask(2, 1), 0, 0));
+        for (NetworkState state : List.of(preferring.newState(), stepped(preferring))) {
+            assertRefused(() -> state.policyOutput(1), "policy neuron must be 0 to 0, is 1");
+            assertRefused(() -> state.policyOutput(-1), "policy neuron must be 0 to 0, is -1");
+            assertRefused(() -> state.moduleOutput(7, 0), "module must be 0 to 1, is 7");
+            assertRefused(() -> state.moduleOutput(0, 1), "policy neuron must be 0 to 0, is 1");
+            assertRefused(() -> state.preference(2), "module must be 0 to 1, is 2");
+            assertRefused(() -> state.outputActivation(4), "output must be one of the network's 4, is 4");
+            assertRefused(() -> state.nodeActivation(6), "node must be one of the genotype's 6, is 6");
+        }
+        for (NetworkState state : List.of(multitask.newState(), stepped(multitask))) {
+            assertRefused(() -> state.preference(0), "the network has no preference neurons");
+            assertRefused(() -> state.policyOutput(1), "policy neuron must be 0 to 0, is 1");
+        }
+        assertRefused(() -> preferring.hasNode(-1), "node must be one of the genotype's 6, is -1");
+    }
+
+    @Test
+    void inputActivations_thatEndTooEarly_areRefused_beforeTheStep() {
+        NetworkState state = Network.compile(withDeadEnd()).newState();
+        ResumableRandom draws = new ResumableRandom(1);
+        state.activateFrom(new double[] {0.5}, 0, draws);
+        double before = state.nodeActivation(1);
+        String refusal = "the network has 1 inputs, got 3 values to be read from ";
+        assertRefused(() -> state.activateFrom(new double[3], 3, draws), refusal + 3);
+        assertRefused(() -> state.activateFrom(new double[3], -1, draws), refusal + -1);
+        assertRefused(
+                () -> state.activateFrom(new double[0], 0, draws),
+                "the network has 1 inputs, got 0 values to be read from 0");
+        assertThat(state.nodeActivation(1)).isEqualTo(before);
+        assertThat(state.moduleUsage()).containsExactly(1);
+    }
+
+    private static NetworkState stepped(Network network) {
+        NetworkState state = network.newState();
+        state.activate(new double[network.inputs()], new ResumableRandom(1));
+        return state;
+    }
+
+    private static void assertRefused(ThrowingCallable call, String message) {
+        assertThatIllegalArgumentException().isThrownBy(call).withMessage(message);
     }
 
     @Test

@@ -198,4 +198,23 @@ class NetworkStatesTest {
                 .withMessageContaining("2 states");
         assertThatIllegalArgumentException().isThrownBy(() -> network.newStates(0));
     }
+
+    @Test
+    void rowsThatAreTooShort_areRefused() {
+        NetworkStates states = Network.compile(SampleGenotypes.champion(random)).newStates(2);
+        ResumableRandom draws = new ResumableRandom(1);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> states.activate(3, new double[59], 30, draws))
+                .withMessage("the network has 30 inputs, got 59 values to be read from 30");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> states.activate(3, new double[60], 29, draws))
+                .withMessage("stride must be at least the network's 30 inputs, is 29");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> states.activate(2, new double[][] {null, new double[29]}, draws))
+                .withMessage("the network has 30 inputs, got 29 values to be read from 0");
+        states.activate(3, new double[60], 30, draws);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> states.clearlyHighest(3, 1))
+                .withMessage("policy neuron must be 0 to 0, is 1");
+    }
 }
