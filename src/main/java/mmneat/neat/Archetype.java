@@ -107,6 +107,20 @@ public final class Archetype {
         }
     }
 
+    /** The first neuron of a network that is no entry, by position in the network; -1 if all are. */
+    int firstUnknown(Genotype genotype) {
+        List<NodeGene> nodes = genotype.nodes();
+        // The search goes on behind the neuron before: one pass, as networks have their neurons in this order.
+        int place = -1;
+        for (int i = 0; i < nodes.size(); i++) {
+            place = indexOf(nodes.get(i).innovation(), place + 1);
+            if (place < 0) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
     /** Removes the entries that no member of the population uses; a shadow goes when its neuron has gone. */
     public void clean(Collection<Genotype> population) {
         Set<Long> used = new HashSet<>();
@@ -145,7 +159,18 @@ public final class Archetype {
     }
 
     private int indexOf(long innovation) {
-        for (int i = 0; i < entries.size(); i++) {
+        return indexOf(innovation, 0);
+    }
+
+    /** Searches from a position to the end, then from the beginning. */
+    private int indexOf(long innovation, int from) {
+        int size = entries.size();
+        for (int i = from; i < size; i++) {
+            if (entries.get(i).innovation() == innovation) {
+                return i;
+            }
+        }
+        for (int i = 0; i < from; i++) {
             if (entries.get(i).innovation() == innovation) {
                 return i;
             }

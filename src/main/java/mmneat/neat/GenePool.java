@@ -5,7 +5,9 @@ import java.util.Objects;
 /**
  * What the genotypes of one population share: the counters of innovations and of genotype ids, and the archetype.
  *
- * <p>One pool belongs to one run and one thread. Reading its state and resuming from it continues exactly.
+ * <p>One pool belongs to one run and one thread. Reading its state and resuming from it continues exactly. A pool and its
+ * genotypes belong together: innovations of another pool's genotypes mean other structures, and {@link Reproduction} refuses
+ * those that it can tell from its own.
  *
  * <p>Source: spec/networks.md, sections 4 and 10.
  */
@@ -44,6 +46,27 @@ public final class GenePool {
     /** Everything that decides what this pool will hand out. */
     public State state() {
         return new State(nextInnovation, nextGenotypeId, archetype.state());
+    }
+
+    /**
+     * Refuses a genotype that cannot be of this pool: the archetype lacks a neuron of it, or it has a link under a number that
+     * this pool has not handed out.
+     *
+     * @throws IllegalArgumentException if so
+     */
+    void requireOwn(Genotype genotype) {
+        int unknown = archetype.firstUnknown(genotype);
+        if (unknown >= 0) {
+            throw new IllegalArgumentException("genotype " + genotype.id() + " is not of this pool: nodes[" + unknown
+                    + "] of innovation " + genotype.nodes().get(unknown).innovation() + " is not in its archetype");
+        }
+        for (LinkGene link : genotype.links()) {
+            if (link.innovation() >= nextInnovation) {
+                throw new IllegalArgumentException("genotype " + genotype.id()
+                        + " is not of this pool: a link has innovation " + link.innovation() + ", the pool's next is "
+                        + nextInnovation);
+            }
+        }
     }
 
     /** Takes an innovation number for a new node or link. */
