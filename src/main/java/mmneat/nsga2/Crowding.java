@@ -52,14 +52,20 @@ public enum Crowding {
             int last = order[order.length - 1];
             distance[first] = Double.POSITIVE_INFINITY;
             distance[last] = Double.POSITIVE_INFINITY;
-            double range = scores[last][objective] - scores[first][objective];
+            double unit = unit(scores[first][objective], scores[last][objective]);
+            double range = unit * scores[last][objective] - unit * scores[first][objective];
             if (range > 0) {
                 for (int k = 1; k < order.length - 1; k++) {
-                    double gap = scores[order[k + 1]][objective] - scores[order[k - 1]][objective];
+                    double gap = unit * scores[order[k + 1]][objective] - unit * scores[order[k - 1]][objective];
                     distance[order[k]] += gap / range;
                 }
             }
         }
         return order == members ? Arrays.copyOf(members, members.length) : order;
+    }
+
+    /** What scores are multiplied by: 1, or 1/2 where they are so far apart that their difference is beyond all numbers. */
+    private static double unit(double least, double greatest) {
+        return Double.isInfinite(greatest - least) ? 0.5 : 1;
     }
 }

@@ -21,8 +21,11 @@ public final class Hypervolume {
      *
      * @param scores {@code scores[individual][objective]}, all maximised
      * @param reference least score of each objective
+     * @throws IllegalArgumentException if the vectors and the reference differ in length or are empty, or a number is not finite
      */
     public static double of(double[][] scores, double[] reference) {
+        NondominatedSorting.requireComparable(scores);
+        requireReference(reference, scores);
         List<double[]> boxes = Arrays.stream(scores)
                 .map(score -> minus(score, reference))
                 .filter(box -> Arrays.stream(box).allMatch(side -> side > 0))
@@ -30,10 +33,30 @@ public final class Hypervolume {
         return unionOfBoxes(boxes, reference.length);
     }
 
-    /** How many of the vectors are dominated by none; duplicates count each. */
+    private static void requireReference(double[] reference, double[][] scores) {
+        if (reference.length == 0) {
+            throw new IllegalArgumentException("a volume needs at least one objective");
+        }
+        if (scores.length > 0 && scores[0].length != reference.length) {
+            throw new IllegalArgumentException(
+                    "scores have " + scores[0].length + " objectives, the reference has " + reference.length);
+        }
+        for (double least : reference) {
+            if (!Double.isFinite(least)) {
+                throw new IllegalArgumentException("reference must be finite, is " + Arrays.toString(reference));
+            }
+        }
+    }
+
+    /**
+     * How many of the vectors are dominated by none; duplicates count each.
+     *
+     * @throws IllegalArgumentException if the vectors differ in length or a score is not finite
+     */
     public static int frontSize(double[][] scores) {
+        NondominatedSorting.requireComparable(scores);
         return (int) Arrays.stream(scores)
-                .filter(score -> Arrays.stream(scores).noneMatch(other -> Dominance.dominates(other, score)))
+                .filter(score -> Arrays.stream(scores).noneMatch(other -> Dominance.dominatesUnchecked(other, score)))
                 .count();
     }
 

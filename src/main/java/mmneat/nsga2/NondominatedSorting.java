@@ -47,7 +47,7 @@ public final class NondominatedSorting {
         int[] dominators = new int[size];
         for (int a = 0; a < size; a++) {
             for (int b = 0; b < size; b++) {
-                if (Dominance.dominates(scores[a], scores[b])) {
+                if (Dominance.dominatesUnchecked(scores[a], scores[b])) {
                     dominates[a][b] = true;
                     dominators[b]++;
                 }
@@ -83,7 +83,8 @@ public final class NondominatedSorting {
         return Arrays.copyOf(chosen, count);
     }
 
-    private static void requireComparable(double[][] scores) {
+    /** Refuses score vectors of different lengths, and scores that are not finite. */
+    static void requireComparable(double[][] scores) {
         for (int i = 0; i < scores.length; i++) {
             if (scores[i].length != scores[0].length) {
                 throw new IllegalArgumentException("individual " + i + " has " + scores[i].length
@@ -98,11 +99,16 @@ public final class NondominatedSorting {
         }
     }
 
+    /** Number of individuals. */
     public int size() {
         return order.length;
     }
 
-    /** The individual at a position of the order in which the population is left by the crowding computation. */
+    /**
+     * The individual at a position of the order in which the population is left by the crowding computation.
+     *
+     * @throws IndexOutOfBoundsException if there is no such position
+     */
     public int individualAt(int position) {
         return order[position];
     }
@@ -112,12 +118,20 @@ public final class NondominatedSorting {
         return fronts.stream().map(int[]::clone).toList();
     }
 
-    /** Front of an individual, from 0. */
+    /**
+     * Front of an individual, from 0.
+     *
+     * @throws IndexOutOfBoundsException if there is no such individual
+     */
     public int rank(int individual) {
         return rank[individual];
     }
 
-    /** Crowding distance of an individual; {@link Double#POSITIVE_INFINITY} at the ends. */
+    /**
+     * Crowding distance of an individual; {@link Double#POSITIVE_INFINITY} at the ends.
+     *
+     * @throws IndexOutOfBoundsException if there is no such individual
+     */
     public double crowding(int individual) {
         return crowding[individual];
     }

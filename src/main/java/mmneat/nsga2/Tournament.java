@@ -38,7 +38,7 @@ final class Tournament {
 
     private boolean firstWins(int first, int second) {
         if (byDominance) {
-            return Dominance.dominates(scores[first], scores[second]);
+            return Dominance.dominatesUnchecked(scores[first], scores[second]);
         }
         if (sorting.rank(first) != sorting.rank(second)) {
             return sorting.rank(first) < sorting.rank(second);

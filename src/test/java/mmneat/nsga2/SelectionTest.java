@@ -189,6 +189,48 @@ class SelectionTest {
     }
 
     @Test
+    void vectorsThatCannotBeCompared_areRefused() {
+        assertThatThrownBy(() -> Dominance.dominates(new double[] {1, 2}, new double[] {1}))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("score vectors must be equally long, have 2 and 1 objectives");
+        assertThatThrownBy(() -> Dominance.dominates(new double[] {1}, new double[] {0, 2}))
+                .hasMessage("score vectors must be equally long, have 1 and 2 objectives");
+        assertThatThrownBy(() -> Dominance.dominates(new double[] {2, Double.NaN}, new double[] {1, 1}))
+                .hasMessage("scores must be numbers, are [2.0, NaN]");
+        assertThatThrownBy(() -> Dominance.dominates(new double[] {2, 1}, new double[] {Double.NaN, 1}))
+                .hasMessage("scores must be numbers, are [NaN, 1.0]");
+    }
+
+    @Test
+    void volumesThatCannotBeMeasured_areRefused() {
+        double[] origin = {0, 0};
+        assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1, 2, 3}}, origin))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("scores have 3 objectives, the reference has 2");
+        assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1, 2}, {1}}, origin))
+                .hasMessage("individual 1 has 1 objectives, individual 0 has 2");
+        assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1, Double.NaN}}, origin))
+                .hasMessage("individual 0: score of objective 1 must be a finite number, is NaN");
+        assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1}}, new double[] {Double.NaN}))
+                .hasMessage("reference must be finite, is [NaN]");
+        assertThatThrownBy(() -> Hypervolume.of(new double[1][0], new double[0]))
+                .hasMessage("a volume needs at least one objective");
+        assertThatThrownBy(() -> Hypervolume.frontSize(new double[][] {{1, 2}, {1}}))
+                .hasMessage("individual 1 has 1 objectives, individual 0 has 2");
+    }
+
+    @Test
+    void crowding_isANumber_alsoOfScoresWhoseDifferenceIsNone() {
+        double far = 1.6e308;
+        double[][] scores = {{-far, far}, {0, 0}, {far / 2, -far / 2}, {far, -far}};
+        for (Crowding crowding : Crowding.values()) {
+            NondominatedSorting sorting = NondominatedSorting.of(scores, crowding);
+            assertThat(sorting.crowding(1)).isEqualTo(1.5);
+            assertThat(sorting.crowding(2)).isEqualTo(1);
+        }
+    }
+
+    @Test
     void crowdingThatIsMissing_isRefused() {
         double[][] scores = {{1}};
         assertThatThrownBy(() -> new Mating(true, 0.5, null)).hasMessage("crowding");
