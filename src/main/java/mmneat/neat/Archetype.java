@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -190,8 +191,8 @@ public final class Archetype {
      */
     public record State(List<NodeGene> entries, SortedMap<Long, Long> shadows) {
         public State {
-            entries = List.copyOf(entries);
-            shadows = Collections.unmodifiableSortedMap(new TreeMap<>(shadows));
+            entries = List.copyOf(Objects.requireNonNull(entries, "entries"));
+            shadows = Collections.unmodifiableSortedMap(new TreeMap<>(Objects.requireNonNull(shadows, "shadows")));
         }
     }
 }

@@ -93,6 +93,9 @@ public final class GenePool {
      */
     public record State(long nextInnovation, long nextGenotypeId, Archetype.State archetype) {
         public State {
+            if (nextInnovation < 0) {
+                throw new IllegalArgumentException("nextInnovation must not be negative, is " + nextInnovation);
+            }
             Objects.requireNonNull(archetype, "archetype");
         }
     }

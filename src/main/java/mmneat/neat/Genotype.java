@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -31,7 +32,7 @@ public final class Genotype {
      * @param id number of this individual in its run
      * @param inputs number of input neurons
      * @param layout division of the outputs into modules
-     * @param nodes node genes in activation order: inputs, hidden, outputs
+     * @param nodes node genes in activation order: inputs, hidden, outputs; no shadow entries of an archetype
      * @param links link genes; no two with the same innovation or the same end points, none into an input
      * @param moduleUsage how often each module was chosen in the evaluation that is remembered; its length is the number of
      *     modules at that time
@@ -39,7 +40,14 @@ public final class Genotype {
      */
     public Genotype(
             long id, int inputs, ModuleLayout layout, List<NodeGene> nodes, List<LinkGene> links, int[] moduleUsage) {
-        this(id, inputs, layout, List.copyOf(nodes), List.copyOf(links), moduleUsage.clone(), true);
+        this(
+                id,
+                inputs,
+                Objects.requireNonNull(layout, "layout"),
+                List.copyOf(Objects.requireNonNull(nodes, "nodes")),
+                List.copyOf(Objects.requireNonNull(links, "links")),
+                Objects.requireNonNull(moduleUsage, "moduleUsage").clone(),
+                true);
     }
 
     private Genotype(
@@ -113,7 +121,11 @@ public final class Genotype {
         return moduleUsage.clone();
     }
 
-    /** This individual after an evaluation in which its modules were chosen so often. */
+    /**
+     * This individual after an evaluation in which its modules were chosen so often.
+     *
+     * @throws IllegalArgumentException if a count is negative
+     */
     public Genotype withModuleUsage(int[] usage) {
         Genotype evaluated = new Genotype(id, inputs, layout, nodes, links, usage.clone(), false);
         evaluated.requireUsageCounts();
@@ -137,6 +149,10 @@ public final class Genotype {
             if (node.type() != expected) {
                 throw new IllegalArgumentException("nodes[" + i + "]: must be of type " + expected + " with " + inputs
                         + " inputs and " + layout.outputs() + " outputs, is " + node.type());
+            }
+            if (node.fromCombiningCrossover()) {
+                throw new IllegalArgumentException(
+                        "nodes[" + i + "].fromCombiningCrossover: is true, as only entries of an archetype are");
             }
             if (!innovations.add(node.innovation())) {
                 throw new IllegalArgumentException(

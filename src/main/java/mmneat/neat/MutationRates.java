@@ -1,5 +1,7 @@
 package mmneat.neat;
 
+import java.util.Objects;
+
 /**
  * Rates of the mutations of an offspring, each a probability in [0, 1]. The names in brackets are the parameters.
  *
@@ -31,9 +33,16 @@ public record MutationRates(
         requireProbability("netSpliceRate", spliceNeuron);
         requireProbability("perLinkMutateRate", perLinkWeight);
         requireProbability("netPerturbRate", oneWeight);
+        Objects.requireNonNull(module, "module");
+        Objects.requireNonNull(deletion, "deletion");
+        Objects.requireNonNull(freezing, "freezing");
     }
 
-    /** These rates with module duplication, MM(D), at a rate. */
+    /**
+     * These rates with module duplication, MM(D), at a rate.
+     *
+     * @throws IllegalArgumentException if the rate is not in [0, 1]
+     */
     public MutationRates withModuleDuplication(double rate) {
         ModuleRates modules = new ModuleRates(module.previous(), module.random(), rate, module.full());
         return new MutationRates(newLink, spliceNeuron, perLinkWeight, oneWeight, modules, deletion, freezing);

@@ -1,6 +1,7 @@
 package mmneat.neat;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.OptionalLong;
 
 /**
@@ -15,6 +16,8 @@ import java.util.OptionalLong;
 public record Offspring(Genotype genotype, long firstParent, OptionalLong secondParent, List<String> mutations) {
 
     public Offspring {
-        mutations = List.copyOf(mutations);
+        Objects.requireNonNull(genotype, "genotype");
+        Objects.requireNonNull(secondParent, "secondParent");
+        mutations = List.copyOf(Objects.requireNonNull(mutations, "mutations"));
     }
 }

@@ -22,6 +22,7 @@ public final class Reproduction {
     /** Reproduction of the genotypes of a pool. */
     public Reproduction(VariationSettings settings, GenePool pool) {
         this.pool = Objects.requireNonNull(pool, "pool");
+        Objects.requireNonNull(settings, "settings");
         this.crossover = new Crossover(settings.crossoverExcessRate());
         this.mutation = new OffspringMutation(settings);
     }

@@ -56,12 +56,6 @@ public final class GenotypeXml {
             links.add(linkOf(link));
         }
         List<NodeGene> nodes = nodesOf(object.list("nodes"));
-        for (int i = 0; i < nodes.size(); i++) {
-            if (nodes.get(i).fromCombiningCrossover()) {
-                throw new GenotypeFormatException(
-                        "nodes[" + i + "].fromCombiningCrossover: is true, as only entries of an archetype are");
-            }
-        }
         try {
             ModuleLayout layout = new ModuleLayout(
                     object.integer("numOut"),
