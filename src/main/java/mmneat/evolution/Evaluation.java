@@ -54,6 +54,19 @@ public record Evaluation(double[] objectives, double[] otherScores, int[] module
         /** Of an evaluation without episodes. */
         public static final Outcomes NONE = new Outcomes(0, 0, 0, 0);
 
+        public Outcomes {
+            requireNotNegative("succeeded", succeeded);
+            requireNotNegative("timedOut", timedOut);
+            requireNotNegative("failed", failed);
+            requireNotNegative("steps", steps);
+        }
+
+        private static void requireNotNegative(String name, long count) {
+            if (count < 0) {
+                throw new IllegalArgumentException(name + " must not be negative, is " + count);
+            }
+        }
+
         /** Both together. */
         public Outcomes plus(Outcomes other) {
             return new Outcomes(

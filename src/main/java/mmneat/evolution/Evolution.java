@@ -31,9 +31,17 @@ public final class Evolution {
     private List<Genotype> population;
     private int generation;
 
-    /** An evolution that continues from a state; a new one begins in {@link EvolutionState#initial}. */
+    /**
+     * An evolution that continues from a state; a new one begins in {@link EvolutionState#initial}.
+     *
+     * @throws IllegalArgumentException if the state has another population size than the settings
+     */
     public Evolution(
             EvolutionSettings settings, EvolutionState state, Evaluator evaluator, EvolutionObserver observer) {
+        if (state.population().size() != settings.populationSize()) {
+            throw new IllegalArgumentException("mu is " + settings.populationSize() + ", the state has a population of "
+                    + state.population().size());
+        }
         this.settings = settings;
         this.evaluator = evaluator;
         this.observer = observer;

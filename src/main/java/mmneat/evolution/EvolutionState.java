@@ -8,7 +8,7 @@ import mmneat.random.ResumableRandom;
 
 /**
  * An evolution between two generations: everything that decides how it goes on. An {@link Evolution} made from a state
- * continues exactly as the one that was in that state.
+ * continues exactly as the one that was in that state. The population's genes are the pool's: the two belong together.
  *
  * @param generation number of the generation to come, which is also how many are done
  * @param population its parents, in the order in which they will be evaluated
@@ -25,7 +25,10 @@ public record EvolutionState(
         if (generation < 0) {
             throw new IllegalArgumentException("generation must not be negative, is " + generation);
         }
-        population = List.copyOf(population);
+        population = List.copyOf(Objects.requireNonNull(population, "population"));
+        if (population.isEmpty()) {
+            throw new IllegalArgumentException("population must not be empty");
+        }
         Objects.requireNonNull(pool, "pool");
         Objects.requireNonNull(random, "random");
     }

@@ -1,6 +1,7 @@
 package mmneat.evolution;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.function.ToDoubleFunction;
 import mmneat.neat.Offspring;
 
@@ -18,17 +19,33 @@ public record Generation(
         int number, List<Individual> parents, List<Offspring> offspring, List<Individual> children, int archetypeSize) {
 
     public Generation {
-        parents = List.copyOf(parents);
-        offspring = List.copyOf(offspring);
-        children = List.copyOf(children);
+        if (number < 0) {
+            throw new IllegalArgumentException("number must not be negative, is " + number);
+        }
+        parents = List.copyOf(Objects.requireNonNull(parents, "parents"));
+        offspring = List.copyOf(Objects.requireNonNull(offspring, "offspring"));
+        children = List.copyOf(Objects.requireNonNull(children, "children"));
+        if (offspring.size() != children.size()) {
+            throw new IllegalArgumentException(
+                    "there are " + offspring.size() + " offspring but " + children.size() + " children evaluated");
+        }
     }
 
-    /** The parent with the largest {@link Task#championRank}; of several equally good the last, as in the original. */
+    /**
+     * The parent with the largest {@link Task#championRank}; of several equally good the last, as in the original.
+     *
+     * @throws IllegalArgumentException if there are no parents
+     */
     public Individual champion(Task task) {
         return best(parents, parent -> task.championRank(parent.evaluation()));
     }
 
-    /** The best of a population in an objective; of several equally good the last, as in the original. */
+    /**
+     * The best of a population in an objective; of several equally good the last, as in the original.
+     *
+     * @throws IllegalArgumentException if the population is empty
+     * @throws IndexOutOfBoundsException if there is no such objective
+     */
     public static Individual bestIn(List<Individual> population, int objective) {
         return best(population, individual -> individual.evaluation().objectives()[objective]);
     }
@@ -36,6 +53,6 @@ public record Generation(
     private static Individual best(List<Individual> population, ToDoubleFunction<Individual> score) {
         return population.stream()
                 .reduce((best, next) -> score.applyAsDouble(next) >= score.applyAsDouble(best) ? next : best)
-                .orElseThrow();
+                .orElseThrow(() -> new IllegalArgumentException("nobody to choose the best of"));
     }
 }

@@ -1,5 +1,6 @@
 package mmneat.evolution;
 
+import java.util.Objects;
 import mmneat.neat.Genotype;
 
 /**
@@ -10,6 +11,11 @@ import mmneat.neat.Genotype;
  * @param nanoseconds how long the evaluation took; of no consequence for evolution
  */
 public record Individual(Genotype genotype, Evaluation evaluation, long nanoseconds) {
+
+    public Individual {
+        Objects.requireNonNull(genotype, "genotype");
+        Objects.requireNonNull(evaluation, "evaluation");
+    }
 
     /** The individual that an evaluation makes of a genotype. */
     static Individual of(Genotype genotype, Evaluation evaluation, long nanoseconds) {

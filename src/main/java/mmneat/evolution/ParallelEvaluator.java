@@ -31,8 +31,12 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
      *
      * @param tasks makes a task for each thread
      * @param threadCount how many threads, at least 1
+     * @throws IllegalArgumentException if it is less
      */
     public ParallelEvaluator(Supplier<Task> tasks, int threadCount, long runSeed) {
+        if (threadCount < 1) {
+            throw new IllegalArgumentException("number of threads must be at least 1, is " + threadCount);
+        }
         this.runSeed = runSeed;
         this.threads = Executors.newFixedThreadPool(threadCount, DaemonThreads.named("evaluation"));
         this.idleTasks = new ArrayBlockingQueue<>(threadCount);

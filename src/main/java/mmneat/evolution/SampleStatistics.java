@@ -14,8 +14,13 @@ import java.util.Arrays;
  */
 public record SampleStatistics(double min, double mean, double max, double deviation) {
 
-    /** Statistics of at least one value. */
+    /**
+     * Statistics of at least one value.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
     public static SampleStatistics of(double... sample) {
+        requireValues(sample, "describe");
         return new SampleStatistics(
                 Arrays.stream(sample).min().orElseThrow(),
                 meanOf(sample),
@@ -23,11 +28,13 @@ public record SampleStatistics(double min, double mean, double max, double devia
                 StrictMath.sqrt(varianceOf(sample)));
     }
 
-    /** Running mean of at least one value. */
+    /**
+     * Running mean of at least one value.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
     public static double meanOf(double... sample) {
-        if (sample.length == 0) {
-            throw new IllegalArgumentException("no values to average");
-        }
+        requireValues(sample, "average");
         double mean = 0;
         for (int i = 0; i < sample.length; i++) {
             mean += (sample[i] - mean) / (i + 1);
@@ -35,8 +42,13 @@ public record SampleStatistics(double min, double mean, double max, double devia
         return mean;
     }
 
-    /** Sample variance (n - 1); NaN for a single value. */
+    /**
+     * Sample variance (n - 1) of at least one value; NaN for a single one.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
     public static double varianceOf(double... sample) {
+        requireValues(sample, "take the variance of");
         double mean = 0;
         double squares = 0;
         for (int i = 0; i < sample.length; i++) {
@@ -45,5 +57,11 @@ public record SampleStatistics(double min, double mean, double max, double devia
             squares += (sample[i] - mean) * (sample[i] - previous);
         }
         return squares / (sample.length - 1);
+    }
+
+    static void requireValues(double[] sample, String purpose) {
+        if (sample.length == 0) {
+            throw new IllegalArgumentException("no values to " + purpose);
+        }
     }
 }

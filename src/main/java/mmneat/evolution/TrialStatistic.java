@@ -21,6 +21,7 @@ public enum TrialStatistic {
     MAX("Max") {
         @Override
         public double of(double... trials) {
+            SampleStatistics.requireValues(trials, "take the largest of");
             return Arrays.stream(trials).max().orElseThrow();
         }
     },
@@ -32,6 +33,7 @@ public enum TrialStatistic {
     MODE("Mode") {
         @Override
         public double of(double... trials) {
+            SampleStatistics.requireValues(trials, "take the most frequent of");
             double[] sorted = trials.clone();
             Arrays.sort(sorted);
             double mode = sorted[0];
@@ -64,6 +66,10 @@ public enum TrialStatistic {
         return label;
     }
 
-    /** The statistic of the scores of at least one trial. */
+    /**
+     * The statistic of the scores of at least one trial.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
     public abstract double of(double... trials);
 }

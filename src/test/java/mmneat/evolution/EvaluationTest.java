@@ -1,6 +1,7 @@
 package mmneat.evolution;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
 import org.junit.jupiter.api.Test;
@@ -44,5 +45,15 @@ class EvaluationTest {
         assertThatNullPointerException()
                 .isThrownBy(() -> new Evaluation(scores, scores, usage, null))
                 .withMessage("outcomes");
+    }
+
+    @Test
+    void negativeOutcomes_areRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Evaluation.Outcomes(0, -1, 0, 0))
+                .withMessage("timedOut must not be negative, is -1");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Evaluation.Outcomes(0, 0, 0, -7))
+                .withMessage("steps must not be negative, is -7");
     }
 }

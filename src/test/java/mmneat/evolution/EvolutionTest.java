@@ -243,6 +243,33 @@ class EvolutionTest {
                 .hasMessage("mu must be at least 1, is 0");
     }
 
+    @Test
+    void statesThatDoNotSuit_areRefused() {
+        Task task = new SchafferTask();
+        EvolutionState four = EvolutionState.initial(settings(task, 4, 1, Crowding.PER_FRONT));
+        EvolutionSettings six = settings(task, 6, 1, Crowding.PER_FRONT);
+        assertThatThrownBy(() -> new Evolution(six, four, new SequentialEvaluator(task), new Recording()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("mu is 6, the state has a population of 4");
+        assertThatThrownBy(() -> new EvolutionState(0, List.of(), four.pool(), four.random()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("population must not be empty");
+        assertThatThrownBy(() -> new EvolutionState(0, null, four.pool(), four.random()))
+                .hasMessage("population");
+    }
+
+    @Test
+    void generationsThatCannotBe_areRefused() {
+        assertThatThrownBy(() -> new Generation(-1, List.of(), List.of(), List.of(), 0))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("number must not be negative, is -1");
+        assertThatThrownBy(() -> new Generation(0, null, List.of(), List.of(), 0))
+                .hasMessage("parents");
+        assertThatThrownBy(() -> Generation.bestIn(List.of(), 0))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("nobody to choose the best of");
+    }
+
     private static Recording evolve(EvolutionSettings settings, Task task) {
         Recording recording = new Recording();
         new Evolution(settings, EvolutionState.initial(settings), new SequentialEvaluator(task, () -> 0), recording)

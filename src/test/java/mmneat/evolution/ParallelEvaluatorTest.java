@@ -1,6 +1,7 @@
 package mmneat.evolution;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -90,5 +91,12 @@ class ParallelEvaluatorTest {
             return new Evaluation(
                     new double[] {random.nextDouble()}, new double[0], new int[1], Evaluation.Outcomes.NONE);
         }
+    }
+
+    @Test
+    void evaluatorWithoutThreads_isRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new ParallelEvaluator(DrawingTask::new, 0, 1))
+                .withMessage("number of threads must be at least 1, is 0");
     }
 }

@@ -72,4 +72,17 @@ class StatisticsTest {
     void noValues_haveNoMean() {
         assertThatThrownBy(SampleStatistics::meanOf).hasMessage("no values to average");
     }
+
+    @Test
+    void noValues_haveNoStatistics() {
+        assertThatThrownBy(SampleStatistics::varianceOf).hasMessage("no values to take the variance of");
+        assertThatThrownBy(SampleStatistics::of)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("no values to describe");
+        for (TrialStatistic statistic : TrialStatistic.values()) {
+            assertThatThrownBy(statistic::of)
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageStartingWith("no values to ");
+        }
+    }
 }
