@@ -26,7 +26,7 @@ public enum Crowding {
         NondominatedSorting sort(double[][] scores) {
             double[] distance = new double[scores.length];
             NondominatedSorting sorting = NondominatedSorting.of(scores, ScoreOrder.identity(scores.length), distance);
-            List<int[]> fronts = sorting.fronts();
+            List<int[]> fronts = sorting.sharedFronts();
             fronts.forEach(front -> addDistances(scores, front, distance));
             return sorting;
         }

@@ -118,6 +118,11 @@ public final class NondominatedSorting {
         return fronts.stream().map(int[]::clone).toList();
     }
 
+    /** The fronts themselves, for selection, which leaves them as they are. */
+    List<int[]> sharedFronts() {
+        return fronts;
+    }
+
     /**
      * Front of an individual, from 0.
      *

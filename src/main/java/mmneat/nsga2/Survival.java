@@ -29,7 +29,7 @@ public final class Survival {
         NondominatedSorting sorting = NondominatedSorting.of(scores, crowding);
         int[] survivors = new int[count];
         int chosen = 0;
-        for (int[] front : sorting.fronts()) {
+        for (int[] front : sorting.sharedFronts()) {
             int[] fitting = chosen + front.length <= count ? front : leastCrowded(front, count - chosen, sorting);
             System.arraycopy(fitting, 0, survivors, chosen, fitting.length);
             chosen += fitting.length;
