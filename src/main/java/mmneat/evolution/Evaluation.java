@@ -14,7 +14,11 @@ import java.util.Objects;
  */
 public record Evaluation(double[] objectives, double[] otherScores, int[] moduleUsage, Outcomes outcomes) {
 
-    /** An evaluation with copies of the arrays. */
+    /**
+     * An evaluation with copies of the arrays.
+     *
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public Evaluation {
         objectives = Objects.requireNonNull(objectives, "objectives").clone();
         otherScores = Objects.requireNonNull(otherScores, "otherScores").clone();
@@ -54,6 +58,11 @@ public record Evaluation(double[] objectives, double[] otherScores, int[] module
         /** Of an evaluation without episodes. */
         public static final Outcomes NONE = new Outcomes(0, 0, 0, 0);
 
+        /**
+         * Checked counts.
+         *
+         * @throws IllegalArgumentException if a count is negative
+         */
         public Outcomes {
             requireNotNegative("succeeded", succeeded);
             requireNotNegative("timedOut", timedOut);

@@ -30,6 +30,12 @@ public record EvolutionSettings(
         Mating mating,
         VariationSettings variation) {
 
+    /**
+     * Checked settings.
+     *
+     * @throws IllegalArgumentException if there are no parents, less than 0 generations or less than 1 between cleanings
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public EvolutionSettings {
         requireAtLeast(1, "mu", populationSize);
         requireAtLeast(0, "maxGens", generations);

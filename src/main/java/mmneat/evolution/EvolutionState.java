@@ -21,6 +21,12 @@ public record EvolutionState(
     /** Id that the original gives to the network by which the archetype is made. */
     private static final long EXAMPLE_ID = -1;
 
+    /**
+     * A state with a copy of the population.
+     *
+     * @throws IllegalArgumentException if the generation is negative or the population empty
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public EvolutionState {
         if (generation < 0) {
             throw new IllegalArgumentException("generation must not be negative, is " + generation);

@@ -18,6 +18,12 @@ import mmneat.neat.Offspring;
 public record Generation(
         int number, List<Individual> parents, List<Offspring> offspring, List<Individual> children, int archetypeSize) {
 
+    /**
+     * A generation with copies of the lists.
+     *
+     * @throws IllegalArgumentException if the number is negative, or there are not as many children as offspring
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public Generation {
         if (number < 0) {
             throw new IllegalArgumentException("number must not be negative, is " + number);

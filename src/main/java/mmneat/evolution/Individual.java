@@ -12,6 +12,11 @@ import mmneat.neat.Genotype;
  */
 public record Individual(Genotype genotype, Evaluation evaluation, long nanoseconds) {
 
+    /**
+     * An individual with both its parts.
+     *
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public Individual {
         Objects.requireNonNull(genotype, "genotype");
         Objects.requireNonNull(evaluation, "evaluation");

@@ -190,6 +190,11 @@ public final class Archetype {
      * @param shadows innovation of a spliced neuron to that of its shadow
      */
     public record State(List<NodeGene> entries, SortedMap<Long, Long> shadows) {
+        /**
+         * A state with copies of both.
+         *
+         * @throws NullPointerException if a part is missing; the message names it
+         */
         public State {
             entries = List.copyOf(Objects.requireNonNull(entries, "entries"));
             shadows = Collections.unmodifiableSortedMap(new TreeMap<>(Objects.requireNonNull(shadows, "shadows")));

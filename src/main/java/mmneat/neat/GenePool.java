@@ -92,6 +92,12 @@ public final class GenePool {
      * @param archetype the order of all neurons
      */
     public record State(long nextInnovation, long nextGenotypeId, Archetype.State archetype) {
+        /**
+         * A checked state.
+         *
+         * @throws IllegalArgumentException if the next innovation number is negative: those belong to inputs and outputs
+         * @throws NullPointerException if the archetype is missing
+         */
         public State {
             if (nextInnovation < 0) {
                 throw new IllegalArgumentException("nextInnovation must not be negative, is " + nextInnovation);

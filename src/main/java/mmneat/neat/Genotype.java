@@ -37,6 +37,7 @@ public final class Genotype {
      * @param moduleUsage how often each module was chosen in the evaluation that is remembered; its length is the number of
      *     modules at that time
      * @throws IllegalArgumentException if the genes do not make a network; the message says where
+     * @throws NullPointerException if a part is missing; the message names it
      */
     public Genotype(
             long id, int inputs, ModuleLayout layout, List<NodeGene> nodes, List<LinkGene> links, int[] moduleUsage) {

@@ -20,6 +20,12 @@ import mmneat.random.ResumableRandom;
 public record InitialNetworks(
         int inputs, ModuleLayout layout, InputSelection selection, ActivationFunction activation) {
 
+    /**
+     * Checked settings.
+     *
+     * @throws IllegalArgumentException if there is no input
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public InitialNetworks {
         if (inputs < 1) {
             throw new IllegalArgumentException("inputs must be at least 1, is " + inputs);
@@ -59,8 +65,15 @@ public record InitialNetworks(
                 id, inputs, layout, nodes, GenotypeDraft.activeLinksBySource(nodes, links), new int[layout.modules()]);
     }
 
-    /** A population of random networks with the next ids of a pool. */
+    /**
+     * A population of random networks with the next ids of a pool, which is founded on one of these networks.
+     *
+     * @throws IllegalArgumentException if {@code size} is negative
+     */
     public List<Genotype> createPopulation(int size, GenePool pool, ResumableRandom random) {
+        if (size < 0) {
+            throw new IllegalArgumentException("size of the population must not be negative, is " + size);
+        }
         List<Genotype> population = new ArrayList<>(size);
         for (int i = 0; i < size; i++) {
             population.add(create(pool.takeGenotypeId(), random));

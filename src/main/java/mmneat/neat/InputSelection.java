@@ -11,6 +11,11 @@ public record InputSelection(boolean isSelective, int linksPerOutput) {
     /** Every input is connected: the published experiments. */
     public static final InputSelection ALL = new InputSelection(false, 1);
 
+    /**
+     * A checked selection.
+     *
+     * @throws IllegalArgumentException if {@code linksPerOutput} is less than 1
+     */
     public InputSelection {
         if (linksPerOutput < 1) {
             throw new IllegalArgumentException("fsLinksPerOut must be at least 1, is " + linksPerOutput);

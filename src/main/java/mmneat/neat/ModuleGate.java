@@ -14,6 +14,11 @@ public record ModuleGate(int maxModules, double usageForNewModule) {
     /** The gate of the published experiments. */
     public static final ModuleGate PUBLISHED = new ModuleGate(1000, 10);
 
+    /**
+     * A checked gate.
+     *
+     * @throws IllegalArgumentException if {@code maxModules} is less than 1 or {@code usageForNewModule} not positive
+     */
     public ModuleGate {
         if (maxModules < 1) {
             throw new IllegalArgumentException("maxModes must be at least 1, is " + maxModules);

@@ -28,6 +28,12 @@ public record MutationRates(
     public static final MutationRates PUBLISHED =
             new MutationRates(0.4, 0.2, 0.05, 0.8, ModuleRates.NONE, DeletionRates.NONE, FreezingRates.NONE);
 
+    /**
+     * Checked rates.
+     *
+     * @throws IllegalArgumentException if a rate is not in [0, 1]
+     * @throws NullPointerException if the rates of a kind are missing; the message names them
+     */
     public MutationRates {
         requireProbability("netLinkRate", newLink);
         requireProbability("netSpliceRate", spliceNeuron);
@@ -66,6 +72,11 @@ public record MutationRates(
 
         public static final ModuleRates NONE = new ModuleRates(0, 0, 0, 0);
 
+        /**
+         * Checked rates.
+         *
+         * @throws IllegalArgumentException if a rate is not in [0, 1]
+         */
         public ModuleRates {
             requireProbability("mmpRate", previous);
             requireProbability("mmrRate", random);
@@ -89,6 +100,11 @@ public record MutationRates(
 
         public static final DeletionRates NONE = new DeletionRates(0, 0);
 
+        /**
+         * Checked rates.
+         *
+         * @throws IllegalArgumentException if a rate is not in [0, 1]
+         */
         public DeletionRates {
             requireProbability("deleteLinkRate", link);
             requireProbability("deleteModeRate", module);
@@ -106,6 +122,11 @@ public record MutationRates(
 
         public static final FreezingRates NONE = new FreezingRates(0, 0, 0);
 
+        /**
+         * Checked rates.
+         *
+         * @throws IllegalArgumentException if a rate is not in [0, 1]
+         */
         public FreezingRates {
             requireProbability("freezePolicyRate", policy);
             requireProbability("freezePreferenceRate", preference);

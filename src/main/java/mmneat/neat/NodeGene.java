@@ -14,6 +14,11 @@ import java.util.Objects;
 public record NodeGene(
         long innovation, NodeType type, ActivationFunction activation, boolean frozen, boolean fromCombiningCrossover) {
 
+    /**
+     * A checked gene.
+     *
+     * @throws NullPointerException if the type or the function is missing
+     */
     public NodeGene {
         Objects.requireNonNull(type, "type");
         Objects.requireNonNull(activation, "activation");

@@ -15,6 +15,11 @@ import java.util.OptionalLong;
  */
 public record Offspring(Genotype genotype, long firstParent, OptionalLong secondParent, List<String> mutations) {
 
+    /**
+     * A child with a copy of the names.
+     *
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public Offspring {
         Objects.requireNonNull(genotype, "genotype");
         Objects.requireNonNull(secondParent, "secondParent");

@@ -19,7 +19,11 @@ public final class Reproduction {
     private final Crossover crossover;
     private final OffspringMutation mutation;
 
-    /** Reproduction of the genotypes of a pool. */
+    /**
+     * Reproduction of the genotypes of a pool.
+     *
+     * @throws NullPointerException if one of them is missing
+     */
     public Reproduction(VariationSettings settings, GenePool pool) {
         this.pool = Objects.requireNonNull(pool, "pool");
         Objects.requireNonNull(settings, "settings");

@@ -22,6 +22,12 @@ public record VariationSettings(
         InputSelection selection,
         ActivationFunction activation) {
 
+    /**
+     * Checked settings.
+     *
+     * @throws IllegalArgumentException if {@code crossoverExcessRate} is not in [0, 1]
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public VariationSettings {
         Objects.requireNonNull(rates, "rates");
         Objects.requireNonNull(gate, "gate");

@@ -19,6 +19,12 @@ import mmneat.random.ResumableRandom;
  */
 public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding) {
 
+    /**
+     * Checked settings.
+     *
+     * @throws IllegalArgumentException if {@code crossoverRate} is not in [0, 1]
+     * @throws NullPointerException if the crowding is missing
+     */
     public Mating {
         Objects.requireNonNull(crowding, "crowding");
         if (!(crossoverRate >= 0 && crossoverRate <= 1)) {

@@ -30,6 +30,7 @@ public final class NondominatedSorting {
      * @param scores {@code scores[individual][objective]}, all maximised, all of one length
      * @param crowding among whom the crowding distance is measured
      * @throws IllegalArgumentException if score vectors differ in length or a score is not finite
+     * @throws NullPointerException if the crowding is missing
      */
     public static NondominatedSorting of(double[][] scores, Crowding crowding) {
         Objects.requireNonNull(crowding, "crowding");

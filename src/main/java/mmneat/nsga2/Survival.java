@@ -21,6 +21,7 @@ public final class Survival {
      * @return indices of the survivors, in the order in which they are the next parents
      * @throws IllegalArgumentException if {@code count} is negative or more than all, or scores cannot be compared ({@link
      *     NondominatedSorting#of})
+     * @throws NullPointerException if the crowding is missing
      */
     public static int[] survivors(double[][] scores, int count, Crowding crowding) {
         if (count < 0 || count > scores.length) {

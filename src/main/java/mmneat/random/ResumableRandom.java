@@ -68,6 +68,7 @@ public final class ResumableRandom extends Random {
         return new State(bits, hasCachedGaussian, hasCachedGaussian ? cachedGaussian : 0);
     }
 
+    /** Makes this generator continue from {@code state}. */
     public void setState(State state) {
         bits = state.bits();
         hasCachedGaussian = state.hasCachedGaussian();
@@ -90,7 +91,11 @@ public final class ResumableRandom extends Random {
         return next(32);
     }
 
-    /** {@inheritDoc} Uniform over [0, bound). */
+    /**
+     * {@inheritDoc} Uniform over [0, bound).
+     *
+     * @throws IllegalArgumentException if the bound is not positive
+     */
     @Override
     public int nextInt(int bound) {
         if (bound <= 0) {
@@ -169,6 +174,11 @@ public final class ResumableRandom extends Random {
      * @param cachedGaussian that Gaussian; 0 if there is none
      */
     public record State(long bits, boolean hasCachedGaussian, double cachedGaussian) {
+        /**
+         * A checked state.
+         *
+         * @throws IllegalArgumentException if the bits are not 48
+         */
         public State {
             if (bits < 0 || bits > MASK) {
                 throw new IllegalArgumentException("generator state must be in [0, 2^48), is " + bits);

@@ -45,6 +45,10 @@ class EvaluationTest {
         assertThatNullPointerException()
                 .isThrownBy(() -> new Evaluation(scores, scores, usage, null))
                 .withMessage("outcomes");
+        assertThatNullPointerException()
+                .isThrownBy(
+                        () -> new Individual(null, new Evaluation(scores, scores, usage, Evaluation.Outcomes.NONE), 0))
+                .withMessage("genotype");
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.TreeMap;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
@@ -34,6 +35,9 @@ class GenotypeTest {
                 "moduleUsage", () -> new Genotype(0, 2, network.layout(), network.nodes(), network.links(), null));
         assertMissing("entries", () -> new Archetype.State(null, new TreeMap<>()));
         assertMissing("shadows", () -> new Archetype.State(List.of(), null));
+        assertMissing("genotype", () -> new Offspring(null, 1, OptionalLong.empty(), List.of()));
+        assertMissing("secondParent", () -> new Offspring(network, 1, null, List.of()));
+        assertMissing("mutations", () -> new Offspring(network, 1, OptionalLong.empty(), null));
         MutationRates rates = MutationRates.PUBLISHED;
         assertMissing("module", () -> new MutationRates(0, 0, 0, 0, null, rates.deletion(), rates.freezing()));
         assertMissing("deletion", () -> new MutationRates(0, 0, 0, 0, rates.module(), null, rates.freezing()));
@@ -51,6 +55,14 @@ class GenotypeTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new GenePool.State(-1, 1, state.archetype()))
                 .withMessage("nextInnovation must not be negative, is -1");
+    }
+
+    @Test
+    void populationOfLessThanNobody_isRefused() {
+        InitialNetworks networks = new InitialNetworks(2, network.layout());
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> networks.createPopulation(-1, GenePool.foundedOn(network), new ResumableRandom(1)))
+                .withMessage("size of the population must not be negative, is -1");
     }
 
     @Test

@@ -1,6 +1,7 @@
 package mmneat.neat.io;
 
 import java.util.List;
+import java.util.Objects;
 
 /**
  * What the inputs and modules of a network are called where it is drawn. The task knows; a genotype does not.
@@ -13,9 +14,14 @@ public record NetworkLabels(List<String> inputs, List<String> modules) {
     /** Nothing is known: everything is numbered. */
     public static final NetworkLabels NUMBERS = new NetworkLabels(List.of(), List.of());
 
+    /**
+     * Labels with copies of the lists.
+     *
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public NetworkLabels {
-        inputs = List.copyOf(inputs);
-        modules = List.copyOf(modules);
+        inputs = List.copyOf(Objects.requireNonNull(inputs, "inputs"));
+        modules = List.copyOf(Objects.requireNonNull(modules, "modules"));
     }
 
     String input(int input) {

@@ -34,6 +34,7 @@ public final class NetworkSvg {
      * The drawing of a network.
      *
      * @param labels what its inputs and modules are called
+     * @throws IllegalArgumentException if the labels are for another network
      */
     public static String of(Genotype genotype, NetworkLabels labels) {
         NetworkGraph graph = NetworkGraph.of(genotype, labels);

@@ -42,6 +42,12 @@ public record ModuleArbitration(
     /** Preference of a disabled module, as in the original: below every activation of tanh. */
     static final double DISABLED = -2;
 
+    /**
+     * A checked arbitration.
+     *
+     * @throws IllegalArgumentException if the temperature is negative, the module less than -1, or a number of fatigue not finite
+     * @throws NullPointerException if a part is missing; the message names it
+     */
     public ModuleArbitration {
         if (!(softmaxTemperature >= 0)) {
             throw new IllegalArgumentException(
@@ -59,17 +65,29 @@ public record ModuleArbitration(
         taskOfModule = Objects.requireNonNull(taskOfModule, "taskOfModule").clone();
     }
 
-    /** The same with {@code temperature} for softmax; the original's default is 0.25. */
+    /**
+     * The same with {@code temperature} for softmax; the original's default is 0.25.
+     *
+     * @throws IllegalArgumentException if it is negative
+     */
     public ModuleArbitration withSoftmax(double temperature) {
         return new ModuleArbitration(temperature, disabledModule, fatigueUnit, fatigueDecay, answer, taskOfModule);
     }
 
-    /** The same with a module that is as good as never chosen. */
+    /**
+     * The same with a module that is as good as never chosen.
+     *
+     * @throws IllegalArgumentException if it is less than -1
+     */
     public ModuleArbitration withDisabledModule(int module) {
         return new ModuleArbitration(softmaxTemperature, module, fatigueUnit, fatigueDecay, answer, taskOfModule);
     }
 
-    /** The same with modules that tire of being chosen. */
+    /**
+     * The same with modules that tire of being chosen.
+     *
+     * @throws IllegalArgumentException if a number is not finite
+     */
     public ModuleArbitration withFatigue(double unit, double decay) {
         return new ModuleArbitration(softmaxTemperature, disabledModule, unit, decay, answer, taskOfModule);
     }

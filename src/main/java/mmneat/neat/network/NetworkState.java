@@ -66,6 +66,7 @@ public final class NetworkState {
      *     only one
      * @return the chosen module
      * @throws IllegalArgumentException if the number of inputs is wrong
+     * @throws IllegalStateException if modules are chosen by preference and no preference is a number
      */
     public int activate(double[] inputs, ResumableRandom random) {
         if (inputs.length != network.inputs) {
@@ -88,6 +89,7 @@ public final class NetworkState {
      * @param inputActivations activation of input i at index {@code offset + i}
      * @return the chosen module, as for {@link #activate}
      * @throws IllegalArgumentException if there are not as many values from {@code offset} on as the network has inputs
+     * @throws IllegalStateException as for {@link #activate}
      */
     public int activateFrom(double[] inputActivations, int offset, ResumableRandom random) {
         begin(inputActivations, offset);
@@ -101,7 +103,8 @@ public final class NetworkState {
      *
      * @return the chosen module: {@code module} itself, unless the state's {@link ModuleArbitration} takes it for a task or changes
      *     preferences
-     * @throws IllegalArgumentException as for {@link #presetModule}
+     * @throws IllegalArgumentException as for {@link #presetModule} and {@link #activate}
+     * @throws IllegalStateException as for {@link #activate}
      */
     public int activateWithModule(double[] inputs, int module, ResumableRandom random) {
         presetModule(module);

@@ -57,6 +57,7 @@ public final class NetworkStates {
      * @param random one {@code nextInt} is drawn per state that makes a step, by index
      * @throws IllegalArgumentException if a bit is set for which there is no state or not a whole row of values, or the stride
      *     is less than the number of inputs
+     * @throws IllegalStateException as for {@link NetworkState#activate}
      */
     public void activate(int which, double[] inputActivations, int stride, ResumableRandom random) {
         requireStates(which);
@@ -79,6 +80,7 @@ public final class NetworkStates {
      *
      * @param inputActivations activation of input j of state i at {@code [i][j]}; rows of states that make no step are not read
      * @throws IllegalArgumentException if a bit is set for which there is no state, or its row has too few values
+     * @throws IllegalStateException as for {@link NetworkState#activate}
      */
     public void activate(int which, double[][] inputActivations, ResumableRandom random) {
         requireStates(which);

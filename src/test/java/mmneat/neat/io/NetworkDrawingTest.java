@@ -127,4 +127,10 @@ class NetworkDrawingTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("1 labels for 2 modules");
     }
+
+    @Test
+    void missingLabels_areNamed() {
+        assertThatThrownBy(() -> new NetworkLabels(null, MODULES)).hasMessage("inputs");
+        assertThatThrownBy(() -> new NetworkLabels(INPUTS, null)).hasMessage("modules");
+    }
 }

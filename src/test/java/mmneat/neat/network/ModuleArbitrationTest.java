@@ -2,6 +2,7 @@ package mmneat.neat.network;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -161,5 +162,15 @@ class ModuleArbitrationTest {
                 .isThrownBy(() -> threeModules(plain.withTasks(0, 0, 1)).presetModule(2))
                 .withMessage("no module serves task 2, only [0, 0, 1]");
         assertThatIllegalArgumentException().isThrownBy(() -> threeModules(plain.withTasks(0, 1)));
+    }
+
+    @Test
+    void missingParts_areNamed() {
+        assertThatNullPointerException()
+                .isThrownBy(() -> ModuleArbitration.PREFERENCE.withAnswer(null))
+                .withMessage("answer");
+        assertThatNullPointerException()
+                .isThrownBy(() -> ModuleArbitration.PREFERENCE.withTasks((int[]) null))
+                .withMessage("taskOfModule");
     }
 }
