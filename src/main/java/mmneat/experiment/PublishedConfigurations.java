@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * The sixteen published experiments: what the paper sets for each task and method, from
@@ -46,7 +47,7 @@ public final class PublishedConfigurations {
     }
 
     /**
-     * What the paper sets.
+     * What the paper sets, besides the task and the method, which the files name so that they can be given as {@code config=}.
      *
      * @throws UserError if the task was not published with this method
      */
@@ -57,7 +58,9 @@ public final class PublishedConfigurations {
         }
         String resource = "/configs/" + task + "/" + method + ".properties";
         try (InputStream stream = PublishedConfigurations.class.getResourceAsStream(resource)) {
-            return PropertiesFile.read(new InputStreamReader(stream, StandardCharsets.UTF_8));
+            Map<String, String> settings = PropertiesFile.read(new InputStreamReader(stream, StandardCharsets.UTF_8));
+            settings.keySet().removeAll(Set.of("task", "method"));
+            return settings;
         } catch (IOException e) {
             throw new UncheckedIOException("the packed file " + resource + " cannot be read", e);
         }

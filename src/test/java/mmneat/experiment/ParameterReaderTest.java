@@ -56,7 +56,7 @@ class ParameterReaderTest {
     }
 
     @Test
-    void methodOfTheCommandLine_isNotMadeAnotherByTheFile() {
+    void methodOfTheCommandLine_isNotMadeAnotherByTheFile(@TempDir Path folder) throws IOException {
         String twoModules = "config=configs/blended/2M.properties";
         assertMistake(
                 "startingModes=2 in " + twoModules + " contradicts method=MMD, which means startingModes=1",
@@ -64,10 +64,11 @@ class ParameterReaderTest {
                 "task=blended",
                 "method=MMD");
         assertMistake("contradicts method=1M", twoModules, "task=com.example.Xor", "method=1M");
+        Path nameless = Files.writeString(folder.resolve("nameless.properties"), "mmdRate=0.1\n");
         assertMistake(
-                "mmdRate=0.1 in config=configs/blended/MMD.properties contradicts task=blended without a method,"
+                "mmdRate=0.1 in config=" + nameless + " contradicts task=blended without a method,"
                         + " which means mmdRate=0.0: give the file's method with method=NAME",
-                "config=configs/blended/MMD.properties",
+                "config=" + nameless,
                 "task=blended");
         assertThat(read(twoModules, "task=blended", "method=2M").integer("startingModes"))
                 .isEqualTo(2);
@@ -75,6 +76,24 @@ class ParameterReaderTest {
                 .isEqualTo(2);
         Parameters both = read(twoModules, "task=blended", "method=MMD", "startingModes=2");
         assertThat(both.number("mmdRate")).isEqualTo(0.1);
+    }
+
+    @Test
+    void eachPublishedFile_isItsExperiment() {
+        for (String task : PublishedConfigurations.tasks()) {
+            for (String method : PublishedConfigurations.methodsOf(task)) {
+                String config = "config=configs/" + task + "/" + method + ".properties";
+                assertThat(withoutConfig(read(config)))
+                        .as(config)
+                        .isEqualTo(withoutConfig(read("task=" + task, "method=" + method)));
+            }
+        }
+    }
+
+    private static Map<String, String> withoutConfig(Parameters parameters) {
+        Map<String, String> values = new TreeMap<>(parameters.values());
+        values.remove("config");
+        return values;
     }
 
     @Test
