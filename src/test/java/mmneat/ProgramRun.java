@@ -24,6 +24,11 @@ public record ProgramRun(int exitCode, String output, String errors) {
                 List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
         command.add("-Djava.awt.headless=true");
         command.addAll(List.of(arguments));
+        return of(folder, command);
+    }
+
+    /** Runs a command in a folder, in which its output is left, and waits for its end. */
+    public static ProgramRun of(Path folder, List<String> command) throws IOException, InterruptedException {
         Path output = Files.createTempFile(folder, "output", ".txt");
         Path errors = Files.createTempFile(folder, "errors", ".txt");
         Process process = new ProcessBuilder(command)

@@ -199,9 +199,18 @@ final class PlayCommand extends WordCommand implements Runnable {
                     }
                 }
             } finally {
-                Runtime.getRuntime().removeShutdownHook(ending);
+                forget(ending);
             }
             report((System.nanoTime() - start) / 1e9);
+        }
+
+        private static void forget(Thread hook) {
+            try {
+                Runtime.getRuntime().removeShutdownHook(hook);
+            } catch (IllegalStateException e) {
+                // Ctrl-C came as the last game ended: the hook is at work.
+                return;
+            }
         }
 
         /** A controller may call {@code System.exit}, whose exit code says nothing: a script must not take it for a result. */

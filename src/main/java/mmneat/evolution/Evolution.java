@@ -57,9 +57,8 @@ public final class Evolution {
      *
      * @throws java.util.concurrent.CancellationException if the thread is interrupted; the observer has seen the last complete
      *     generation
-     * @throws IllegalArgumentException if a score is not finite
-     * @throws IllegalStateException if an evaluation fails or gives other scores than the task names, or a module is to be added to a
-     *     multitask network
+     * @throws BadEvaluationException as {@link Evaluator#evaluate}
+     * @throws IllegalStateException if an evaluation fails, or a module is to be added to a multitask network
      */
     public void run() {
         while (generation < settings.generations()) {

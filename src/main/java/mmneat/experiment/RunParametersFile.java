@@ -69,21 +69,19 @@ final class RunParametersFile {
      */
     void requireSame(RunPlan run) {
         Map<String, String> saved = read();
-        Map<String, String> now = values(run);
-        Set<String> names = new LinkedHashSet<>(now.keySet());
+        Map<String, String> asked = values(run);
+        Set<String> names = new LinkedHashSet<>(asked.keySet());
         names.addAll(saved.keySet());
         List<String> differing = new ArrayList<>();
         for (String name : names) {
             String before = saved.get(name);
-            String value = now.get(name);
+            String value = asked.get(name);
             // A name of the catalogue that one side lacks is that of an older or newer program, or has no effect.
             boolean isComparable = before != null && value != null
                     || run.parameters().catalogue().find(name).isEmpty();
             if (isComparable && !Objects.equals(before, value) && !MAY_CHANGE.contains(name)) {
-                differing.add(
-                        before == null
-                                ? "no " + name + " (now " + value + ")"
-                                : name + "=" + before + (value == null ? " (now not given)" : " (now " + value + ")"));
+                String now = value == null ? "not given" : value;
+                differing.add((before == null ? "no " + name : name + "=" + before) + " (now " + now + ")");
             }
         }
         if (!differing.isEmpty()) {

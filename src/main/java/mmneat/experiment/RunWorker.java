@@ -91,8 +91,8 @@ final class RunWorker {
 
     /** What becomes of a run that an exception ended. */
     private RunOutcome endedBy(Throwable e) {
-        if (e instanceof RunRecorder.RunStoppedException stopped) {
-            return endedBy(stopped.getCause());
+        if (e instanceof RunRecorder.RunStoppedException || e instanceof UncheckedIOException) {
+            return endedBy(e.getCause());
         }
         if (e instanceof RunLock.HeldException) {
             return new RunOutcome(run, RunMonitor.Phase.IN_USE, null, e.getMessage(), null);
@@ -106,20 +106,14 @@ final class RunWorker {
         if (e instanceof BadEvaluationException) {
             return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), null);
         }
-        if (e instanceof IOException file) {
-            return failed(fileMessage(file), null);
-        }
-        return e instanceof UncheckedIOException file
-                ? failed(fileMessage(file.getCause()), null)
-                : failed(e.toString(), e);
+        return e instanceof IOException file ? failed(fileMessage(file), null) : failed(e.toString(), e);
     }
 
     /** Whether somebody told the run to end; if that was in the midst of writing, the file's channel says so. */
     private static boolean isInterruption(Throwable e) {
-        Throwable cause = e instanceof UncheckedIOException file ? file.getCause() : e;
-        return cause instanceof CancellationException
-                || cause instanceof InterruptedException
-                || cause instanceof ClosedByInterruptException;
+        return e instanceof CancellationException
+                || e instanceof InterruptedException
+                || e instanceof ClosedByInterruptException;
     }
 
     private RunOutcome evolve(RunLock lock) throws IOException {

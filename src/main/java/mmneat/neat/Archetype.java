@@ -166,12 +166,8 @@ public final class Archetype {
     /** Searches from a position to the end, then from the beginning. */
     private int indexOf(long innovation, int from) {
         int size = entries.size();
-        for (int i = from; i < size; i++) {
-            if (entries.get(i).innovation() == innovation) {
-                return i;
-            }
-        }
-        for (int i = 0; i < from; i++) {
+        for (int k = 0; k < size; k++) {
+            int i = from + k < size ? from + k : from + k - size;
             if (entries.get(i).innovation() == innovation) {
                 return i;
             }

@@ -17,7 +17,7 @@ public record ModuleGate(int maxModules, double usageForNewModule) {
     /**
      * A checked gate.
      *
-     * @throws IllegalArgumentException if {@code maxModules} is less than 1 or {@code usageForNewModule} not positive
+     * @throws IllegalArgumentException if {@code maxModules} is less than 1 or {@code usageForNewModule} less than 0
      */
     public ModuleGate {
         if (maxModules < 1) {

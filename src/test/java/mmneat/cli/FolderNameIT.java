@@ -2,9 +2,10 @@ package mmneat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.File;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import mmneat.ProgramRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -19,28 +20,28 @@ class FolderNameIT {
 
     @Test
     void inAFolderThatTheLocaleCannotTell_nothingIsWritten_andTheReasonIsSaid() throws Exception {
-        assertThat(runIn("C"))
-                .contains("exit 2")
-                .contains("letters that the locale cannot tell")
-                .contains("LC_ALL=C.UTF-8");
-        assertThat(folder.toFile().list()).hasSize(1);
+        ProgramRun run = runIn("C");
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.errors()).contains("letters that the locale cannot tell").contains("LC_ALL=C.UTF-8");
+        assertThat(place().toFile().list()).hasSize(1);
     }
 
     @Test
     void inAFolderThatTheLocaleCanTell_theProgramRuns() throws Exception {
-        assertThat(runIn("C.UTF-8")).contains("exit 0").contains("MM-NEAT");
+        ProgramRun run = runIn("C.UTF-8");
+        assertThat(run.exitCode()).isZero();
+        assertThat(run.output()).contains("MM-NEAT");
     }
 
-    private String runIn(String locale) throws Exception {
+    private ProgramRun runIn(String locale) throws Exception {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        Process shell = new ProcessBuilder(
-                        "sh",
-                        "-c",
-                        "name=$(printf 'M\\303\\274hle'); mkdir \"$name\"; cd \"$name\"; LC_ALL=" + locale + " '" + java
-                                + "' -jar '" + JAR + "' --version; echo exit $?")
-                .directory(new File(folder.toString()))
-                .redirectErrorStream(true)
-                .start();
-        return new String(shell.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        Files.createDirectory(place());
+        String script = "cd place; name=$(printf 'M\\303\\274hle'); mkdir \"$name\"; cd \"$name\"; LC_ALL=" + locale
+                + " '" + java + "' -jar '" + JAR + "' --version";
+        return ProgramRun.of(folder, List.of("sh", "-c", script));
+    }
+
+    private Path place() {
+        return folder.resolve("place");
     }
 }

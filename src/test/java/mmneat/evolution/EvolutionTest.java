@@ -348,7 +348,13 @@ class EvolutionTest {
     }
 
     /** Says the same of everybody. */
-    private record ConstantTask(Evaluation evaluation) implements Task {
+    private static final class ConstantTask extends SmallTask {
+        private final Evaluation evaluation;
+
+        ConstantTask(Evaluation evaluation) {
+            this.evaluation = evaluation;
+        }
+
         @Override
         public List<String> objectiveNames() {
             return List.of("Near");
@@ -357,16 +363,6 @@ class EvolutionTest {
         @Override
         public List<String> otherScoreNames() {
             return List.of("Answer");
-        }
-
-        @Override
-        public List<String> inputLabels() {
-            return List.of("Constant");
-        }
-
-        @Override
-        public int policyNeuronsPerModule() {
-            return 1;
         }
 
         @Override

@@ -70,22 +70,7 @@ class ParallelEvaluatorTest {
     }
 
     /** Scores what its generator draws first. */
-    private static final class DrawingTask implements Task {
-        @Override
-        public List<String> objectiveNames() {
-            return List.of("Drawn");
-        }
-
-        @Override
-        public List<String> inputLabels() {
-            return List.of("Constant");
-        }
-
-        @Override
-        public int policyNeuronsPerModule() {
-            return 1;
-        }
-
+    private static final class DrawingTask extends SmallTask {
         @Override
         public Evaluation evaluate(Genotype evaluated, ResumableRandom random) {
             return new Evaluation(

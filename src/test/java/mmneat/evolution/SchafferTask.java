@@ -10,7 +10,7 @@ import mmneat.random.ResumableRandom;
  * Schaffer's two-objective function of the network's answer x in (-1, 1) to a constant input, with noise: be near -0.5, and be
  * near 0.5. Every x between the two is a compromise that none dominates.
  */
-public class SchafferTask implements Task {
+public class SchafferTask extends SmallTask {
 
     static final double NOISE = 0.001;
 
@@ -27,16 +27,6 @@ public class SchafferTask implements Task {
     @Override
     public List<String> otherScoreNames() {
         return List.of("Answer");
-    }
-
-    @Override
-    public List<String> inputLabels() {
-        return List.of("Constant");
-    }
-
-    @Override
-    public int policyNeuronsPerModule() {
-        return 1;
     }
 
     @Override

@@ -18,7 +18,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
-import mmneat.evolution.Task;
+import mmneat.evolution.SmallTask;
 import mmneat.evolution.XorTask;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
@@ -281,23 +281,8 @@ class ExperimentTest {
     }
 
     /** Breaks in the second generation. */
-    public static final class BreakingTask implements Task {
+    public static final class BreakingTask extends SmallTask {
         private int evaluations;
-
-        @Override
-        public List<String> objectiveNames() {
-            return List.of("Score");
-        }
-
-        @Override
-        public List<String> inputLabels() {
-            return List.of("Bias");
-        }
-
-        @Override
-        public int policyNeuronsPerModule() {
-            return 1;
-        }
 
         @Override
         public Evaluation evaluate(Genotype genotype, ResumableRandom random) {

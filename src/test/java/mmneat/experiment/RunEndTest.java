@@ -15,7 +15,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import mmneat.evolution.Evaluation;
-import mmneat.evolution.Task;
+import mmneat.evolution.SmallTask;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.AfterEach;
@@ -43,23 +43,8 @@ class RunEndTest {
     }
 
     /** A task to which things happen. */
-    public static final class EventfulTask implements Task {
+    public static final class EventfulTask extends SmallTask {
         private int evaluations;
-
-        @Override
-        public List<String> objectiveNames() {
-            return List.of("Score");
-        }
-
-        @Override
-        public List<String> inputLabels() {
-            return List.of("Bias");
-        }
-
-        @Override
-        public int policyNeuronsPerModule() {
-            return 1;
-        }
 
         @Override
         public double championScore(Evaluation evaluation) {

@@ -68,14 +68,9 @@ final class EntryClassLoader extends URLClassLoader {
     }
 
     private boolean isAbstract() {
-        try {
-            return classFile(entryName)
-                    .map(file -> (new ClassReader(file).getAccess() & Opcodes.ACC_ABSTRACT) != 0)
-                    .orElse(false);
-        } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
-            // As for superclasses.
-            return false;
-        }
+        return header(entryName)
+                .map(file -> (file.getAccess() & Opcodes.ACC_ABSTRACT) != 0)
+                .orElse(false);
     }
 
     @Override
@@ -146,13 +141,13 @@ final class EntryClassLoader extends URLClassLoader {
 
     /** In the form of class files; null if there is none, or the class is not the entry's. */
     private String superclassOf(String className) {
-        return classFile(className).flatMap(EntryClassLoader::superclass).orElse(null);
+        return header(className).map(ClassReader::getSuperName).orElse(null);
     }
 
-    /** Empty if the class file is damaged or too new to be read: the JVM will say so when it is loaded. */
-    private static Optional<String> superclass(byte[] classFile) {
+    /** Empty if the entry has no such class, or its file is damaged or too new to be read: the JVM will say so when it is loaded. */
+    private Optional<ClassReader> header(String className) {
         try {
-            return Optional.ofNullable(new ClassReader(classFile).getSuperName());
+            return classFile(className).map(ClassReader::new);
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
             return Optional.empty();
         }
