@@ -66,6 +66,8 @@ public final class Network {
     final int[] slotOfOutput;
     /** Slot of each module's preference neuron; empty if modules have none. */
     final int[] slotOfPreference;
+    /** Whether there are preference neurons and what later steps need includes all of them. */
+    final boolean preferencesAlways;
     /** Number of slots; the neurons are [inputs, slots). */
     final int slots;
     /** Neurons from this slot on are lazy. */
@@ -116,6 +118,8 @@ public final class Network {
         System.arraycopy(slotOfNode, genotype.firstOutput(), slotOfOutput, 0, slotOfOutput.length);
         slotOfPreference = new int[layout.hasPreferenceNeurons() ? layout.modules() : 0];
         Arrays.setAll(slotOfPreference, module -> slotOfOutput[layout.preferenceOutput(module)]);
+        preferencesAlways =
+                slotOfPreference.length > 0 && Arrays.stream(slotOfPreference).allMatch(this::isAlwaysComputed);
     }
 
     /** The network of a genotype, without the nodes from which no output can be reached. */
@@ -182,6 +186,10 @@ public final class Network {
     /** Number of nodes of the genotype, left-out ones included. */
     public int nodes() {
         return slotOfNode.length;
+    }
+
+    boolean isAlwaysComputed(int slot) {
+        return slot < groupStart[ALWAYS + 1];
     }
 
     int firstOutput() {

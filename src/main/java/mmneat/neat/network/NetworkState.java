@@ -320,7 +320,7 @@ public final class NetworkState {
             random.nextInt(1);
             return network.layout.standardMultitask() ? presetModule : 0;
         }
-        int clear = clearlyPreferredModule();
+        int clear = network.preferencesAlways ? UNCLEAR : clearlyPreferredModule();
         if (clear != UNCLEAR) {
             random.nextInt(1);
             return clear;
@@ -347,6 +347,11 @@ public final class NetworkState {
         int output = network.layout.policyOutput(lastModule, neuron);
         computeRoughly(network.groupOfOutput[output]);
         return sum(network.slotOfOutput[output]);
+    }
+
+    /** Whether a policy neuron of the chosen module is always needed, so that its answer is there already. */
+    boolean answersAlways(int neuron) {
+        return network.isAlwaysComputed(network.slotOfOutput[network.layout.policyOutput(lastModule, neuron)]);
     }
 
     /** Whether the answer can be told from a sum: a chosen module's neuron, its function tanh. */
