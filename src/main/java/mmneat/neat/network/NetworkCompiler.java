@@ -25,6 +25,9 @@ final class NetworkCompiler {
     private final int inputs;
     private final int firstOutput;
 
+    /** Whether every node's function is tanh. */
+    private final boolean allTanh;
+
     /** Active links into each node, by source position: those of node p are [incomingStart[p], incomingStart[p + 1]). */
     private final int[] incomingStart;
 
@@ -49,6 +52,7 @@ final class NetworkCompiler {
         nodes = genotype.nodes().size();
         inputs = genotype.inputs();
         firstOutput = genotype.firstOutput();
+        allTanh = allTanh(genotype);
         incomingStart = new int[nodes + 1];
         int active = countActiveLinks();
         incomingSource = new int[active];
@@ -60,7 +64,7 @@ final class NetworkCompiler {
         gatherIncomingLinks();
         Arrays.fill(included, 0, withAllNodes ? nodes : inputs, true);
         includeSourcesOfOutputs();
-        if (!withAllNodes && allTanh()) {
+        if (!withAllNodes && allTanh) {
             findGroups();
         }
         double largestDifference = largestDifference();
@@ -72,10 +76,11 @@ final class NetworkCompiler {
 
     Network compile() {
         int[] groupStart = numberSlots(levels());
-        return withLinks(nodesOfSlots(), groupStart);
+        int foursEnd = allTanh ? putInFours() : inputs;
+        return withLinks(nodesOfSlots(), groupStart, foursEnd);
     }
 
-    private boolean allTanh() {
+    private static boolean allTanh(Genotype genotype) {
         for (NodeGene node : genotype.nodes()) {
             if (node.activation() != ActivationFunction.TANH) {
                 return false;
@@ -271,6 +276,24 @@ final class NetworkCompiler {
         return groupStart;
     }
 
+    /**
+     * Gives the neurons that are always needed their slots in another order.
+     *
+     * @return the end of those slots of which every four are independent
+     */
+    private int putInFours() {
+        boolean[] always = new boolean[nodes];
+        for (int i = inputs; i < nodes; i++) {
+            always[i] = included[i] && !isLazy(i) && group[i] == Network.ALWAYS;
+        }
+        Fours fours = new Fours(incomingStart, incomingSource, always);
+        int[] order = fours.order();
+        for (int i = 0; i < order.length; i++) {
+            slotOfNode[order[i]] = inputs + i;
+        }
+        return inputs + fours.complete();
+    }
+
     private int[] nodesOfSlots() {
         int slots = 0;
         for (boolean takesPart : included) {
@@ -285,7 +308,7 @@ final class NetworkCompiler {
         return nodeOfSlot;
     }
 
-    private Network withLinks(int[] nodeOfSlot, int[] groupStart) {
+    private Network withLinks(int[] nodeOfSlot, int[] groupStart, int foursEnd) {
         int slots = nodeOfSlot.length;
         int links = 0;
         for (int target : nodeOfSlot) {
@@ -314,6 +337,7 @@ final class NetworkCompiler {
                 genotype,
                 slotOfNode,
                 groupStart,
+                foursEnd,
                 Arrays.copyOfRange(group, firstOutput, nodes),
                 margin,
                 hasRecurrentLinks ? groupStart[Network.ALWAYS + 1] - inputs : 0,
@@ -334,12 +358,12 @@ final class NetworkCompiler {
 
     private ActivationFunction[] functions(int[] nodeOfSlot) {
         List<NodeGene> genes = genotype.nodes();
-        boolean allTanh = true;
+        boolean onlyTanh = true;
         ActivationFunction[] functions = new ActivationFunction[nodeOfSlot.length];
         for (int slot = 0; slot < functions.length; slot++) {
             functions[slot] = genes.get(nodeOfSlot[slot]).activation();
-            allTanh &= functions[slot] == ActivationFunction.TANH;
+            onlyTanh &= functions[slot] == ActivationFunction.TANH;
         }
-        return allTanh ? null : functions;
+        return onlyTanh ? null : functions;
     }
 }

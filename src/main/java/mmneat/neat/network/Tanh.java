@@ -49,6 +49,10 @@ public final class Tanh {
      * done than a conversion; the reference adds 0.5 and cuts off, and decides between k = 0 and 1 by the upper half of the
      * bits. They differ only very near the middle between two k: such arguments, one in half a million, go to the library,
      * as do the few beyond the table.
+     *
+     * The line is cut into pieces, each from the argument and what pieces before it gave, so that Propagation can compute a piece for
+     * several arguments before the next. The compiler puts them together again, and finds once what several of them need. Where the
+     * reference has powers of hxs = y^2/2 (y reduced), here are those of y^2, with coefficients divided by powers of two: the same bits.
      */
 
     private static final double LN2_HIGH = 6.93147180369123816490e-01;
@@ -114,34 +118,67 @@ public final class Tanh {
 
     /** Whether {@link #inTable} can be asked: so for all arguments but those beyond 6.75, and one in half a million before. */
     static boolean isInTable(double x) {
-        double a = Math.abs(x);
-        double k = wholeOf(a) - WHOLE;
-        return a < TABLE_END && Math.abs(high(a, k) - k * LN2_LOW) <= CLEARLY_NEAREST;
+        return isInTable(x, reduced(x));
     }
 
-    /** The hyperbolic tangent of an argument in the table; any number for others. Calls nothing. */
+    static boolean isInTable(double x, double reduced) {
+        return Math.abs(x) < TABLE_END && Math.abs(reduced) <= CLEARLY_NEAREST;
+    }
+
+    /** The hyperbolic tangent of an argument in the table; any number for others. Calls nothing that is not inlined. */
     static double inTable(double x) {
+        double reduced = reduced(x);
+        double remainder = remainder(x, reduced, series(reduced, upperTerms(reduced)));
+        return result(x, shifted(x, reduced, remainder));
+    }
+
+    /** First piece of {@link #inTable}: 2|x| less k ln 2. */
+    static double reduced(double x) {
         double a = Math.abs(x);
-        double whole = wholeOf(a);
-        double k = whole - WHOLE;
-        double high = high(a, k);
-        double low = k * LN2_LOW;
-        double reduced = high - low;
-        int row = row(x, whole);
+        double k = wholeOf(a) - WHOLE;
+        return high(a, k) - k * LN2_LOW;
+    }
 
+    /** Second piece: the terms of the series from the third on. */
+    static double upperTerms(double reduced) {
+        double y = reduced * reduced;
+        return Q3 / 8 + y * (Q4 / 16 + y * (Q5 / 32));
+    }
+
+    /** Third piece: r1. */
+    static double series(double reduced, double upperTerms) {
+        double y = reduced * reduced;
+        return 1 + y * (Q1 / 2 + y * (Q2 / 4 + y * upperTerms));
+    }
+
+    /** Fourth piece: e without the parts of higher order. */
+    static double remainder(double x, double reduced, double series) {
+        double r = CASES[rowOf(x) + 6] * reduced;
+        double u = 3 - series * (0.5 * r);
+        return 0.5 * (reduced * reduced) * ((series - u) / (6 - r * u));
+    }
+
+    /** Fifth piece: q. */
+    static double shifted(double x, double reduced, double remainder) {
+        double a = Math.abs(x);
+        double k = wholeOf(a) - WHOLE;
+        int row = rowOf(x);
         double s = CASES[row + 6];
-        double c = s * ((high - reduced) - low);
+        double c = s * ((high(a, k) - reduced) - k * LN2_LOW);
         double r = s * reduced;
-        double half = 0.5 * r;
-        double square = reduced * (0.5 * reduced);
-        double r1 = 1 + square * (Q1 + square * (Q2 + square * (Q3 + square * (Q4 + square * Q5))));
-        double u = 3 - r1 * half;
-        double e = square * ((r1 - u) / (6 - r * u));
-        e = (r * (e - c) - c) - square;
+        double e = (r * (remainder - c) - c) - 0.5 * (reduced * reduced);
+        return CASES[row] + (r - e);
+    }
 
-        double q = CASES[row] + (r - e);
+    /** Last piece, from q. */
+    static double result(double x, double q) {
+        int row = rowOf(x);
         double t = q * CASES[row + 1] + CASES[row + 2];
         return CASES[row + 5] + (q * CASES[row + 3] + CASES[row + 4]) / (t + 2);
+    }
+
+    private static int rowOf(double x) {
+        return row(x, wholeOf(Math.abs(x)));
     }
 
     /** A number with k in its lower bits. */
