@@ -31,9 +31,9 @@ public final class Network {
      *   modules  what the answer of one module alone depends on: a module that loses the choice costs nothing.
      *
      * Neurons that are always needed come in fours that are independent of each other, as far as there are such, and the rest
-     * behind them (Fours): four are computed side by side. Those of the other groups, mostly computed roughly, are ordered by level:
-     * their forward sources all lie on lower levels. Outputs that no link reads come last and are computed only when somebody asks for them
-     * ("lazy").
+     * behind them (Fours): four are computed side by side. Those of the other groups, mostly computed roughly, are ordered by
+     * level: their forward sources all lie on lower levels. Outputs that no link reads come last and are computed only when
+     * somebody asks for them ("lazy").
      *
      * What is not always needed serves decisions alone: which module has the highest preference, which state the highest
      * answer. Mostly they are far enough apart to be told from rough values (RoughTanh); the margin, found when compiling, says

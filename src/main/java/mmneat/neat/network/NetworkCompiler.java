@@ -76,7 +76,7 @@ final class NetworkCompiler {
 
     Network compile() {
         int[] groupStart = numberSlots(levels());
-        int foursEnd = allTanh ? putInFours() : inputs;
+        int foursEnd = allTanh ? putInFours(groupStart[Network.ALWAYS + 1]) : inputs;
         return withLinks(nodesOfSlots(), groupStart, foursEnd);
     }
 
@@ -279,12 +279,13 @@ final class NetworkCompiler {
     /**
      * Gives the neurons that are always needed their slots in another order.
      *
+     * @param end of these slots; they are the first ones behind the inputs
      * @return the end of those slots of which every four are independent
      */
-    private int putInFours() {
+    private int putInFours(int end) {
         boolean[] always = new boolean[nodes];
         for (int i = inputs; i < nodes; i++) {
-            always[i] = included[i] && !isLazy(i) && group[i] == Network.ALWAYS;
+            always[i] = slotOfNode[i] != Network.LEFT_OUT && slotOfNode[i] < end;
         }
         Fours fours = new Fours(incomingStart, incomingSource, always);
         int[] order = fours.order();

@@ -284,7 +284,7 @@ public final class NetworkState {
         if (!exactly) {
             Propagation.roughly(network, activations, from, to);
         } else if (network.functions == null) {
-            int foursEnd = Math.max(from, Math.min(network.foursEnd, to));
+            int foursEnd = Math.max(from, network.foursEnd);
             Propagation.exactlyInFours(network, activations, pieces, from, foursEnd);
             Propagation.exactly(network, activations, foursEnd, to);
         } else {
@@ -325,7 +325,7 @@ public final class NetworkState {
             random.nextInt(1);
             return network.layout.standardMultitask() ? presetModule : 0;
         }
-        int clear = network.preferencesAlways ? UNCLEAR : clearlyPreferredModule();
+        int clear = clearlyPreferredModule();
         if (clear != UNCLEAR) {
             random.nextInt(1);
             return clear;
@@ -336,8 +336,9 @@ public final class NetworkState {
         return Argmax.of(preferences, random);
     }
 
+    /** The preferred module as far as sums tell it; unclear too where activations are there already. */
     private int clearlyPreferredModule() {
-        if (network.functions != null) {
+        if (network.functions != null || network.preferencesAlways) {
             return UNCLEAR;
         }
         computeRoughly(Network.SHARED);

@@ -50,9 +50,10 @@ public final class Tanh {
      * bits. They differ only very near the middle between two k: such arguments, one in half a million, go to the library,
      * as do the few beyond the table.
      *
-     * The line is cut into pieces, each from the argument and what pieces before it gave, so that Propagation can compute a piece for
-     * several arguments before the next. The compiler puts them together again, and finds once what several of them need. Where the
-     * reference has powers of hxs = y^2/2 (y reduced), here are those of y^2, with coefficients divided by powers of two: the same bits.
+     * The line is cut into pieces, each from the argument and what pieces before it gave, so that Propagation can compute a
+     * piece for several arguments before the next. The compiler puts them together again, and finds once what several of them
+     * need. Where the reference has powers of half the square of the reduced argument, here are those of the square, with
+     * coefficients divided by powers of two: the same bits.
      */
 
     private static final double LN2_HIGH = 6.93147180369123816490e-01;
@@ -121,6 +122,7 @@ public final class Tanh {
         return isInTable(x, reduced(x));
     }
 
+    /** The same where the first piece is known already. */
     static boolean isInTable(double x, double reduced) {
         return Math.abs(x) < TABLE_END && Math.abs(reduced) <= CLEARLY_NEAREST;
     }
@@ -135,25 +137,25 @@ public final class Tanh {
     /** First piece of {@link #inTable}: 2|x| less k ln 2. */
     static double reduced(double x) {
         double a = Math.abs(x);
-        double k = wholeOf(a) - WHOLE;
+        double k = multiples(a);
         return high(a, k) - k * LN2_LOW;
     }
 
     /** Second piece: the terms of the series from the third on. */
     static double upperTerms(double reduced) {
-        double y = reduced * reduced;
-        return Q3 / 8 + y * (Q4 / 16 + y * (Q5 / 32));
+        double square = reduced * reduced;
+        return Q3 / 8 + square * (Q4 / 16 + square * (Q5 / 32));
     }
 
     /** Third piece: r1. */
     static double series(double reduced, double upperTerms) {
-        double y = reduced * reduced;
-        return 1 + y * (Q1 / 2 + y * (Q2 / 4 + y * upperTerms));
+        double square = reduced * reduced;
+        return 1 + square * (Q1 / 2 + square * (Q2 / 4 + square * upperTerms));
     }
 
-    /** Fourth piece: e without the parts of higher order. */
+    /** Fourth piece: e before c is taken off. */
     static double remainder(double x, double reduced, double series) {
-        double r = CASES[rowOf(x) + 6] * reduced;
+        double r = CASES[row(x) + 6] * reduced;
         double u = 3 - series * (0.5 * r);
         return 0.5 * (reduced * reduced) * ((series - u) / (6 - r * u));
     }
@@ -161,8 +163,8 @@ public final class Tanh {
     /** Fifth piece: q. */
     static double shifted(double x, double reduced, double remainder) {
         double a = Math.abs(x);
-        double k = wholeOf(a) - WHOLE;
-        int row = rowOf(x);
+        double k = multiples(a);
+        int row = row(x);
         double s = CASES[row + 6];
         double c = s * ((high(a, k) - reduced) - k * LN2_LOW);
         double r = s * reduced;
@@ -172,13 +174,9 @@ public final class Tanh {
 
     /** Last piece, from q. */
     static double result(double x, double q) {
-        int row = rowOf(x);
+        int row = row(x);
         double t = q * CASES[row + 1] + CASES[row + 2];
         return CASES[row + 5] + (q * CASES[row + 3] + CASES[row + 4]) / (t + 2);
-    }
-
-    private static int rowOf(double x) {
-        return row(x, wholeOf(Math.abs(x)));
     }
 
     /** A number with k in its lower bits. */
@@ -186,17 +184,23 @@ public final class Tanh {
         return (2 * INVERSE_LN2) * a + WHOLE;
     }
 
+    /** k. */
+    private static double multiples(double a) {
+        return wholeOf(a) - WHOLE;
+    }
+
     /** 2a less the upper part of k ln 2. */
     private static double high(double a, double k) {
         return (a + a) - k * LN2_HIGH;
     }
 
-    /** Start of the row of an argument in the table; {@code whole} has k in its lower bits. */
-    private static int row(double x, double whole) {
+    /** Start of the row of an argument in the table. */
+    private static int row(double x) {
         // The sum carries into bit 62 if the exponent is that of 1 or more.
         int signAndSize = (int) (Double.doubleToRawLongBits(x) + ONE_EXPONENT >>> 62);
+        int k = (int) Double.doubleToRawLongBits(wholeOf(Math.abs(x)));
         // A sum, not an "or", and a mask: the compiler then knows that the row is in the table and checks no bounds.
-        return (4 * (int) Double.doubleToRawLongBits(whole) + signAndSize & ROWS - 1) << ROW_BITS;
+        return (4 * k + signAndSize & ROWS - 1) << ROW_BITS;
     }
 
     private static double outsideTable(double x) {
