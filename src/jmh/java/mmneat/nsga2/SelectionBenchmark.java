@@ -36,6 +36,6 @@ public class SelectionBenchmark {
 
     @Benchmark
     public int[] survivors() {
-        return Survival.survivors(scores, 100, Crowding.WHOLE_POPULATION);
+        return SurvivorSelection.survivors(scores, 100, Crowding.WHOLE_POPULATION);
     }
 }

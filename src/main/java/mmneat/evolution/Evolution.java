@@ -7,8 +7,8 @@ import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.Offspring;
 import mmneat.neat.Reproduction;
-import mmneat.nsga2.Breeding;
-import mmneat.nsga2.Survival;
+import mmneat.nsga2.SurvivorSelection;
+import mmneat.nsga2.Variation;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -27,7 +27,7 @@ public final class Evolution {
 
     private final GenePool pool;
     private final ResumableRandom random;
-    private final Breeding<Genotype, Offspring> breeding;
+    private final Variation<Genotype, Offspring> variation;
     private List<Genotype> population;
     private int generation;
 
@@ -47,7 +47,7 @@ public final class Evolution {
         this.observer = observer;
         pool = GenePool.resume(state.pool());
         random = ResumableRandom.resume(state.random());
-        breeding = new Variation(new Reproduction(settings.variation(), pool));
+        variation = new ReproductionVariation(new Reproduction(settings.variation(), pool));
         population = state.population();
         generation = state.generation();
     }
@@ -98,21 +98,23 @@ public final class Evolution {
     }
 
     private List<Offspring> reproduce(List<Individual> parents) {
-        return settings.mating()
+        return settings.parentSelection()
                 .children(
                         parents.stream().map(Individual::genotype).toList(),
                         objectives(parents),
                         generation == 0,
                         settings.populationSize(),
-                        breeding,
+                        variation,
                         random);
     }
 
     private List<Genotype> survivors(List<Individual> parents, List<Individual> children) {
         List<Individual> all =
                 Stream.concat(parents.stream(), children.stream()).toList();
-        int[] survivors = Survival.survivors(
-                objectives(all), settings.populationSize(), settings.mating().crowding());
+        int[] survivors = SurvivorSelection.survivors(
+                objectives(all),
+                settings.populationSize(),
+                settings.parentSelection().crowding());
         return Arrays.stream(survivors).mapToObj(i -> all.get(i).genotype()).toList();
     }
 
@@ -127,7 +129,7 @@ public final class Evolution {
     }
 
     /** NEAT's variation as NSGA-II asks for it. */
-    private record Variation(Reproduction reproduction) implements Breeding<Genotype, Offspring> {
+    private record ReproductionVariation(Reproduction reproduction) implements Variation<Genotype, Offspring> {
 
         @Override
         public Offspring fromOne(Genotype parent, ResumableRandom random) {

@@ -4,7 +4,7 @@ import java.util.Objects;
 import java.util.OptionalInt;
 import mmneat.neat.InitialNetworks;
 import mmneat.neat.VariationSettings;
-import mmneat.nsga2.Mating;
+import mmneat.nsga2.ParentSelection;
 
 /**
  * What decides an evolution besides its task. The names in brackets are the parameters.
@@ -17,7 +17,7 @@ import mmneat.nsga2.Mating;
  * @param generations how many times children are made ({@code maxGens})
  * @param cleanFrequency generations between cleanings of the archetype ({@code cleanFrequency})
  * @param initialNetworks the networks that evolution starts from
- * @param mating how parents are chosen, and how survivors' crowding is measured
+ * @param parentSelection how parents are chosen, and how survivors' crowding is measured
  * @param variation how offspring differ from their parents
  */
 public record EvolutionSettings(
@@ -27,7 +27,7 @@ public record EvolutionSettings(
         int generations,
         int cleanFrequency,
         InitialNetworks initialNetworks,
-        Mating mating,
+        ParentSelection parentSelection,
         VariationSettings variation) {
 
     /**
@@ -42,7 +42,7 @@ public record EvolutionSettings(
         requireAtLeast(1, "cleanFrequency", cleanFrequency);
         Objects.requireNonNull(initialPopulationSeed, "initialPopulationSeed");
         Objects.requireNonNull(initialNetworks, "initialNetworks");
-        Objects.requireNonNull(mating, "mating");
+        Objects.requireNonNull(parentSelection, "parentSelection");
         Objects.requireNonNull(variation, "variation");
     }
 

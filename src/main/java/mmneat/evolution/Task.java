@@ -22,7 +22,7 @@ public interface Task {
      *
      * @return one number per objective
      */
-    default double[] leastScores() {
+    default double[] referencePoint() {
         return new double[objectiveNames().size()];
     }
 

@@ -13,7 +13,7 @@ import mmneat.neat.ModuleLayout;
 import mmneat.neat.MutationRates;
 import mmneat.neat.VariationSettings;
 import mmneat.nsga2.Crowding;
-import mmneat.nsga2.Mating;
+import mmneat.nsga2.ParentSelection;
 
 /** The parameters that decide an evolution besides its task; named as the parameters, see the catalogue. */
 record EvolutionParameters(
@@ -59,7 +59,7 @@ record EvolutionParameters(
                 maxGens,
                 cleanFrequency,
                 new InitialNetworks(task.inputs(), layout(task.policyNeuronsPerModule()), selection, activation),
-                new Mating(mating, crossoverRate, crowdingOf(crowding)),
+                new ParentSelection(mating, crossoverRate, crowdingOf(crowding)),
                 new VariationSettings(
                         rates(),
                         new ModuleGate(maxModes, usageForNewMode),

@@ -40,9 +40,9 @@ final class OwnTask {
         if (objectives == null || objectives.isEmpty()) {
             throw new UserError(task + ": names no objective; objectiveNames() must give at least one");
         }
-        double[] least = made.leastScores();
+        double[] least = made.referencePoint();
         if (least == null || least.length != objectives.size()) {
-            throw new UserError(task + ": leastScores() must give " + objectives.size()
+            throw new UserError(task + ": referencePoint() must give " + objectives.size()
                     + " numbers, one for each objective, gives " + (least == null ? 0 : least.length));
         }
         List<String> inputs = made.inputLabels();

@@ -1,8 +1,8 @@
 /**
- * NSGA-II as the original runs it: dominance, fronts, crowding, tournaments, children and survivors.
+ * NSGA-II as the original runs it: dominance, fronts, crowding distance, parent selection and survivor selection.
  *
- * <p>All objectives are maximised. The package knows score vectors, and through {@link mmneat.nsga2.Breeding} how to make
- * one individual from others; it knows nothing of what an individual is.
+ * <p>All objectives are maximised. The package knows score vectors, and makes children through
+ * {@link mmneat.nsga2.Variation}; it does not know what an individual is.
  *
  * <p>Sources: K. Deb, A. Pratap, S. Agarwal, T. Meyarivan: A fast and elitist multiobjective genetic algorithm: NSGA-II, IEEE
  * Transactions on Evolutionary Computation 6 (2002); spec/evolution.md, section 2. The original departs from the published

@@ -14,7 +14,7 @@ import mmneat.neat.ModuleLayout;
 import mmneat.neat.MutationRates;
 import mmneat.neat.VariationSettings;
 import mmneat.nsga2.Crowding;
-import mmneat.nsga2.Mating;
+import mmneat.nsga2.ParentSelection;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -202,7 +202,7 @@ class EvolutionTest {
                 settings.generations(),
                 settings.cleanFrequency(),
                 settings.initialNetworks(),
-                settings.mating(),
+                settings.parentSelection(),
                 settings.variation());
         EvolutionState plain = EvolutionState.initial(settings);
         EvolutionState other = EvolutionState.initial(reseeded);
@@ -238,7 +238,7 @@ class EvolutionTest {
                         1,
                         10,
                         settings.initialNetworks(),
-                        settings.mating(),
+                        settings.parentSelection(),
                         settings.variation()))
                 .hasMessage("mu must be at least 1, is 0");
     }
@@ -294,7 +294,7 @@ class EvolutionTest {
                 generations,
                 2,
                 new InitialNetworks(task.inputs(), new ModuleLayout(2, 1, task.policyNeuronsPerModule(), false)),
-                new Mating(true, 0.5, crowding),
+                new ParentSelection(true, 0.5, crowding),
                 new VariationSettings(MutationRates.PUBLISHED.withModuleDuplication(0.1)));
     }
 

@@ -20,7 +20,7 @@ public class SchafferTask extends SmallTask {
     }
 
     @Override
-    public double[] leastScores() {
+    public double[] referencePoint() {
         return new double[] {-3, -3};
     }
 

@@ -37,7 +37,7 @@ public final class XorTask implements Task {
     }
 
     @Override
-    public double[] leastScores() {
+    public double[] referencePoint() {
         return new double[] {0, -1000};
     }
 

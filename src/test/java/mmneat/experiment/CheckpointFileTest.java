@@ -19,7 +19,7 @@ import mmneat.neat.ModuleLayout;
 import mmneat.neat.MutationRates;
 import mmneat.neat.VariationSettings;
 import mmneat.nsga2.Crowding;
-import mmneat.nsga2.Mating;
+import mmneat.nsga2.ParentSelection;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,7 +33,7 @@ class CheckpointFileTest {
             1,
             10,
             new InitialNetworks(2, ModuleLayout.single(1)),
-            new Mating(true, 0.5, Crowding.WHOLE_POPULATION),
+            new ParentSelection(true, 0.5, Crowding.WHOLE_POPULATION),
             new VariationSettings(MutationRates.PUBLISHED)));
 
     @TempDir

@@ -40,8 +40,8 @@ class OwnTaskTest {
         }
 
         @Override
-        public double[] leastScores() {
-            return new double[count("leastScores")];
+        public double[] referencePoint() {
+            return new double[count("referencePoint")];
         }
 
         @Override
@@ -89,8 +89,8 @@ class OwnTaskTest {
     @CsvSource(
             delimiter = ';',
             value = {
-                "objectives=0; names no objective; leastScores=0",
-                "objectives=2; leastScores() must give 2 numbers, one for each objective, gives 1; inputs=1",
+                "objectives=0; names no objective; referencePoint=0",
+                "objectives=2; referencePoint() must give 2 numbers, one for each objective, gives 1; inputs=1",
                 "labels=0; must have at least one input and a label for each, has 0 inputs and 0 labels; inputs=0",
                 "labels=2; must have at least one input and a label for each, has 1 inputs and 2 labels; inputs=1",
                 "outputs=0; policyNeuronsPerModule() must be at least 1, is 0; inputs=1",

@@ -24,7 +24,7 @@ import mmneat.neat.MutationRates;
 import mmneat.neat.VariationSettings;
 import mmneat.neat.io.GenotypeXml;
 import mmneat.nsga2.Crowding;
-import mmneat.nsga2.Mating;
+import mmneat.nsga2.ParentSelection;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -116,7 +116,7 @@ class RunFilesTest {
                 GENERATIONS,
                 2,
                 new InitialNetworks(task.inputs(), layout),
-                new Mating(true, 0.5, Crowding.WHOLE_POPULATION),
+                new ParentSelection(true, 0.5, Crowding.WHOLE_POPULATION),
                 new VariationSettings(MutationRates.PUBLISHED.withModuleDuplication(0.3)));
         RunFolder folder = new RunFolder(directory, PREFIX);
         RunFiles files = new RunFiles(folder, task, choice);

@@ -54,7 +54,7 @@ class Nsga2ConformanceTest {
             double[][] scores = matrix(golden.get("scores"));
             for (JsonNode selection : golden.get("selection")) {
                 int keep = selection.get("keep").asInt();
-                assertThat(Survival.survivors(scores, keep, Crowding.WHOLE_POPULATION))
+                assertThat(SurvivorSelection.survivors(scores, keep, Crowding.WHOLE_POPULATION))
                         .as("%s: keep %d", golden.get("name").asText(), keep)
                         .isEqualTo(integers(selection.get("survivors")));
             }
@@ -66,11 +66,11 @@ class Nsga2ConformanceTest {
         for (JsonNode golden : cases("mating.json")) {
             double[][] scores = matrix(golden.get("scores"));
             ResumableRandom random = new ResumableRandom(golden.get("seed").asLong());
-            Mating mating = new Mating(
+            ParentSelection selection = new ParentSelection(
                     golden.get("mating").asBoolean(),
                     golden.get("crossover_rate").asDouble(),
                     Crowding.WHOLE_POPULATION);
-            List<int[]> origins = mating.children(
+            List<int[]> origins = selection.children(
                     IntStream.range(0, scores.length).boxed().toList(),
                     scores,
                     golden.get("generation").asInt() == 0,
@@ -130,7 +130,7 @@ class Nsga2ConformanceTest {
     }
 
     /** Children are rows of the golden file: base parent, other parent or -1, whether crossover returned the child. */
-    private record BreedingWithoutDraws() implements Breeding<Integer, int[]> {
+    private record BreedingWithoutDraws() implements Variation<Integer, int[]> {
         @Override
         public int[] fromOne(Integer parent, ResumableRandom random) {
             return new int[] {parent, -1, 0};

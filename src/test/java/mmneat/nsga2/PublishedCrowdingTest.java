@@ -45,7 +45,7 @@ class PublishedCrowdingTest {
         for (int round = 0; round < ROUNDS; round++) {
             PlainSorting plain = new PlainSorting(randomScores());
             int keep = random.nextInt(plain.scores.length + 1);
-            assertThat(Survival.survivors(plain.scores, keep, Crowding.PER_FRONT))
+            assertThat(SurvivorSelection.survivors(plain.scores, keep, Crowding.PER_FRONT))
                     .isEqualTo(plain.survivors(keep));
         }
     }
@@ -58,7 +58,7 @@ class PublishedCrowdingTest {
             List<Integer> everybody =
                     IntStream.range(0, plain.scores.length).boxed().toList();
             ResumableRandom expectedDraws = random.copy();
-            List<Integer> parents = new Mating(false, 0, Crowding.PER_FRONT)
+            List<Integer> parents = new ParentSelection(false, 0, Crowding.PER_FRONT)
                     .children(everybody, plain.scores, isFirstGeneration, 20, new Cloning(), random);
             for (int parent : parents) {
                 int first = expectedDraws.nextInt(plain.scores.length);
@@ -151,7 +151,7 @@ class PublishedCrowdingTest {
         }
     }
 
-    private static final class Cloning implements Breeding<Integer, Integer> {
+    private static final class Cloning implements Variation<Integer, Integer> {
         @Override
         public Integer fromOne(Integer parent, ResumableRandom draws) {
             return parent;

@@ -103,7 +103,7 @@ class SelectionTest {
             int keep = random.nextInt(scores.length + 1);
             for (Crowding crowding : Crowding.values()) {
                 NondominatedSorting sorting = NondominatedSorting.of(scores, crowding);
-                int[] survivors = Survival.survivors(scores, keep, crowding);
+                int[] survivors = SurvivorSelection.survivors(scores, keep, crowding);
                 Set<Integer> alive =
                         new HashSet<>(Arrays.stream(survivors).boxed().toList());
                 assertThat(alive).hasSize(keep);
@@ -126,8 +126,8 @@ class SelectionTest {
     void crossover_makesTwoThirdsOfTheChildren_atRateOneHalf() {
         double[][] scores = randomScores(new ResumableRandom(4));
         List<Integer> parents = IntStream.range(0, scores.length).boxed().toList();
-        List<String> children = new Mating(true, 0.5, Crowding.WHOLE_POPULATION)
-                .children(parents, scores, false, 30_000, new NamingBreeding(), new ResumableRandom(5));
+        List<String> children = new ParentSelection(true, 0.5, Crowding.WHOLE_POPULATION)
+                .children(parents, scores, false, 30_000, new NamingVariation(), new ResumableRandom(5));
         double crossed =
                 children.stream().filter(child -> child.startsWith("of two")).count() / 30_000.0;
         assertThat(crossed).isCloseTo(2 / 3.0, within(0.01));
@@ -136,8 +136,8 @@ class SelectionTest {
     @Test
     void lastPlace_isTakenByOneChildOfACrossover() {
         double[][] scores = {{1, 2}, {2, 1}, {0, 0}};
-        List<String> children = new Mating(true, 1, Crowding.WHOLE_POPULATION)
-                .children(List.of(0, 1, 2), scores, true, 5, new NamingBreeding(), new ResumableRandom(6));
+        List<String> children = new ParentSelection(true, 1, Crowding.WHOLE_POPULATION)
+                .children(List.of(0, 1, 2), scores, true, 5, new NamingVariation(), new ResumableRandom(6));
         assertThat(children)
                 .containsExactly("of two, mate", "of two, parent", "of two, mate", "of two, parent", "of two, alone");
     }
@@ -146,8 +146,8 @@ class SelectionTest {
     void noCrossover_drawsNothingForIt() {
         double[][] scores = {{1, 2}, {2, 1}};
         ResumableRandom random = new ResumableRandom(7);
-        new Mating(false, 0.5, Crowding.PER_FRONT)
-                .children(List.of(0, 1), scores, true, 1, new NamingBreeding(), random);
+        new ParentSelection(false, 0.5, Crowding.PER_FRONT)
+                .children(List.of(0, 1), scores, true, 1, new NamingVariation(), random);
         ResumableRandom twoContestants = new ResumableRandom(7);
         twoContestants.nextInt(2);
         twoContestants.nextInt(2);
@@ -175,16 +175,17 @@ class SelectionTest {
 
     @Test
     void scoresThatCannotBeCompared_areRefused() {
-        assertThatThrownBy(() -> Survival.survivors(new double[][] {{1, 2}, {1}}, 1, Crowding.WHOLE_POPULATION))
+        assertThatThrownBy(
+                        () -> SurvivorSelection.survivors(new double[][] {{1, 2}, {1}}, 1, Crowding.WHOLE_POPULATION))
                 .hasMessage("individual 1 has 1 objectives, individual 0 has 2");
         assertThatThrownBy(() -> NondominatedSorting.of(new double[][] {{Double.NaN}}, Crowding.PER_FRONT))
                 .hasMessage("individual 0: score of objective 0 must be a finite number, is NaN");
-        assertThatThrownBy(() -> Survival.survivors(
+        assertThatThrownBy(() -> SurvivorSelection.survivors(
                         new double[][] {{1, 2}, {1, Double.NEGATIVE_INFINITY}}, 1, Crowding.WHOLE_POPULATION))
                 .hasMessage("individual 1: score of objective 1 must be a finite number, is -Infinity");
-        assertThatThrownBy(() -> Survival.survivors(new double[][] {{1}}, 2, Crowding.PER_FRONT))
+        assertThatThrownBy(() -> SurvivorSelection.survivors(new double[][] {{1}}, 2, Crowding.PER_FRONT))
                 .hasMessage("2 of 1 individuals cannot survive");
-        assertThatThrownBy(() -> new Mating(true, 1.5, Crowding.PER_FRONT))
+        assertThatThrownBy(() -> new ParentSelection(true, 1.5, Crowding.PER_FRONT))
                 .hasMessage("crossoverRate must be in [0, 1], is 1.5");
     }
 
@@ -233,14 +234,14 @@ class SelectionTest {
     @Test
     void crowdingThatIsMissing_isRefused() {
         double[][] scores = {{1}};
-        assertThatThrownBy(() -> new Mating(true, 0.5, null)).hasMessage("crowding");
-        assertThatThrownBy(() -> Survival.survivors(scores, 1, null)).hasMessage("crowding");
+        assertThatThrownBy(() -> new ParentSelection(true, 0.5, null)).hasMessage("crowding");
+        assertThatThrownBy(() -> SurvivorSelection.survivors(scores, 1, null)).hasMessage("crowding");
         assertThatThrownBy(() -> NondominatedSorting.of(scores, null)).hasMessage("crowding");
     }
 
     @Test
     void negativeNumberOfSurvivors_isRefused() {
-        assertThatThrownBy(() -> Survival.survivors(new double[][] {{1}}, -1, Crowding.PER_FRONT))
+        assertThatThrownBy(() -> SurvivorSelection.survivors(new double[][] {{1}}, -1, Crowding.PER_FRONT))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("-1 of 1 individuals cannot survive");
     }
@@ -260,25 +261,25 @@ class SelectionTest {
     }
 
     private static List<String> childrenOf(List<Integer> parents, double[][] scores, int count) {
-        return new Mating(true, 1, Crowding.PER_FRONT)
-                .children(parents, scores, false, count, new NamingBreeding(), new ResumableRandom(1));
+        return new ParentSelection(true, 1, Crowding.PER_FRONT)
+                .children(parents, scores, false, count, new NamingVariation(), new ResumableRandom(1));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 4})
     @Timeout(value = 10, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void crossover_makesAtLeastOneChild_andNoMoreThanThereIsRoomFor(int children) {
-        Breeding<Integer, String> breeding = new NamingBreeding() {
+        Variation<Integer, String> variation = new NamingVariation() {
             @Override
             public List<String> fromTwo(Integer parent, Integer mate, int room, ResumableRandom random) {
                 return Collections.nCopies(children, "of two");
             }
         };
-        Mating mating = new Mating(true, 1, Crowding.PER_FRONT);
+        ParentSelection selection = new ParentSelection(true, 1, Crowding.PER_FRONT);
         double[][] scores = {{1}};
-        assertThatThrownBy(() -> mating.children(List.of(0), scores, false, 3, breeding, new ResumableRandom(1)))
+        assertThatThrownBy(() -> selection.children(List.of(0), scores, false, 3, variation, new ResumableRandom(1)))
                 .isInstanceOf(IllegalStateException.class)
-                .hasMessage("two parents must have 1 to 3 children, the breeding gave " + children);
+                .hasMessage("two parents must have 1 to 3 children, the variation gave " + children);
     }
 
     private static double[][] randomScores(ResumableRandom random) {
@@ -324,7 +325,7 @@ class SelectionTest {
         return count;
     }
 
-    private static class NamingBreeding implements Breeding<Integer, String> {
+    private static class NamingVariation implements Variation<Integer, String> {
         @Override
         public String fromOne(Integer parent, ResumableRandom random) {
             return "of one";

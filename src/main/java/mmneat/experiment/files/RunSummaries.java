@@ -76,7 +76,7 @@ public final class RunSummaries {
                         .map(row -> Arrays.copyOfRange(row, 2, row.length))
                         .toArray(double[][]::new);
                 lines.append(generation).append('\t');
-                lines.append(DoubleText.of(Hypervolume.of(scores, task.leastScores())))
+                lines.append(DoubleText.of(Hypervolume.of(scores, task.referencePoint())))
                         .append('\t');
                 lines.append(Hypervolume.frontSize(scores)).append('\n');
             }

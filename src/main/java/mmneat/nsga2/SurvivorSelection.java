@@ -3,23 +3,24 @@ package mmneat.nsga2;
 import java.util.Arrays;
 
 /**
- * Chooses who survives: whole fronts from the best on, and of the front that does not fit the least crowded. Nothing is drawn;
- * every tie is decided by the order of the scores.
+ * Survivor selection: complete fronts from the best on, then the least crowded members of the first front that does not fit.
+ *
+ * <p>No random number is drawn; the order of the scores decides every tie.
  *
  * <p>Source: Deb et al. 2002, section III-C; spec/evolution.md, section 2.5.
  */
-public final class Survival {
+public final class SurvivorSelection {
 
-    private Survival() {}
+    private SurvivorSelection() {}
 
     /**
-     * The survivors.
+     * Selects the survivors.
      *
      * @param scores {@code scores[individual][objective]}: parents followed by children
-     * @param count how many survive, at most all
-     * @param crowding among whom the crowding distance is measured
+     * @param count number of survivors, at most the number of individuals
+     * @param crowding the individuals among which the crowding distance is measured
      * @return indices of the survivors, in the order in which they are the next parents
-     * @throws IllegalArgumentException if {@code count} is negative or more than all, or scores cannot be compared ({@link
+     * @throws IllegalArgumentException if {@code count} is negative or more than the number of individuals, or scores cannot be compared ({@link
      *     NondominatedSorting#of})
      * @throws NullPointerException if the crowding is missing
      */

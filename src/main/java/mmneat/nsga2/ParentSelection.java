@@ -6,18 +6,18 @@ import java.util.Objects;
 import mmneat.random.ResumableRandom;
 
 /**
- * Chooses parents by tournament and has children made of them.
+ * Parent selection: binary tournaments choose parents, and a {@link Variation} makes children from them.
  *
- * <p>Children are made in passes. A pass without crossover makes one child, a pass with crossover makes two, so with a crossover
- * rate of 0.5 about two thirds of all children come from crossover.
+ * <p>Children are made in passes. A pass without crossover makes one child; a pass with crossover makes two. With a crossover
+ * rate of 0.5, about two thirds of all children therefore come from crossover.
  *
  * <p>Source: spec/evolution.md, section 2.4.
  *
- * @param isCrossing whether there is crossover at all; without it nothing is drawn for that decision
+ * @param isCrossing whether crossover is used at all; if not, no random number is drawn for that decision
  * @param crossoverRate probability that a pass crosses two parents, in [0, 1]
- * @param crowding among whom the crowding distance is measured
+ * @param crowding the individuals among which the crowding distance is measured
  */
-public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding) {
+public record ParentSelection(boolean isCrossing, double crossoverRate, Crowding crowding) {
 
     /**
      * Checked settings.
@@ -25,7 +25,7 @@ public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding
      * @throws IllegalArgumentException if {@code crossoverRate} is not in [0, 1]
      * @throws NullPointerException if the crowding is missing
      */
-    public Mating {
+    public ParentSelection {
         Objects.requireNonNull(crowding, "crowding");
         if (!(crossoverRate >= 0 && crossoverRate <= 1)) {
             throw new IllegalArgumentException("crossoverRate must be in [0, 1], is " + crossoverRate);
@@ -33,21 +33,21 @@ public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding
     }
 
     /**
-     * Has {@code count} children made.
+     * Makes {@code count} children.
      *
      * @param parents the parents, at least one if children are wanted
      * @param scores {@code scores[parent][objective]}
      * @param isFirstGeneration whether this is generation 0, whose tournaments differ
      * @throws IllegalArgumentException if there are not as many scores as parents, no parents although children are wanted, or
      *     scores that cannot be compared ({@link NondominatedSorting#of})
-     * @throws IllegalStateException if {@code breeding} gives no children of two parents, or more than there is room for
+     * @throws IllegalStateException if {@code variation} gives no children of two parents, or more than there is room for
      */
     public <P, C> List<C> children(
             List<P> parents,
             double[][] scores,
             boolean isFirstGeneration,
             int count,
-            Breeding<P, C> breeding,
+            Variation<P, C> variation,
             ResumableRandom random) {
         requireParents(parents.size(), scores.length, count);
         Tournament tournament = tournament(scores, isFirstGeneration);
@@ -57,11 +57,11 @@ public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding
             if (isCrossing && random.nextDouble() < crossoverRate) {
                 P mate = parents.get(tournament.winner(random));
                 int room = count - children.size();
-                List<C> pair = breeding.fromTwo(parent, mate, room, random);
+                List<C> pair = variation.fromTwo(parent, mate, room, random);
                 requireFitting(pair.size(), room);
                 children.addAll(pair);
             } else {
-                children.add(breeding.fromOne(parent, random));
+                children.add(variation.fromOne(parent, random));
             }
         }
         return children;
@@ -82,7 +82,7 @@ public record Mating(boolean isCrossing, double crossoverRate, Crowding crowding
     private static void requireFitting(int children, int room) {
         if (children < 1 || children > room) {
             throw new IllegalStateException(
-                    "two parents must have 1 to " + room + " children, the breeding gave " + children);
+                    "two parents must have 1 to " + room + " children, the variation gave " + children);
         }
     }
 

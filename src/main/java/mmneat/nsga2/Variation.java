@@ -4,12 +4,12 @@ import java.util.List;
 import mmneat.random.ResumableRandom;
 
 /**
- * How children are made from parents. {@link Mating} decides who and when.
+ * Makes children from parents, by mutation and crossover. {@link ParentSelection} chooses the parents.
  *
  * @param <P> a parent
- * @param <C> a child, with whatever the breeder wants to say of it
+ * @param <C> a child, which may carry information on how it was made
  */
-public interface Breeding<P, C> {
+public interface Variation<P, C> {
 
     /** The child of one parent. */
     C fromOne(P parent, ResumableRandom random);
