@@ -28,7 +28,7 @@ import pacman.game.GameView;
  * with the last answer. Views are shown where there is a display, otherwise games are played unseen.
  *
  * <p>Source: the competition's programming interface, release 6.2, and the variants that MM-NEAT added, which take the
- * game to play; spec/controllers.md, section 6.
+ * game to play; docs/specification/controllers.md, section 6.
  */
 public class Executor {
 

@@ -12,7 +12,7 @@ import pacman.game.GameRules;
 
 /**
  * A game as its states, one per tick: the state string after that tick. In a file each stands on a line of its own.
- * Source: spec/controllers.md, sections 6.4 and 6.5.
+ * Source: docs/specification/controllers.md, sections 6.4 and 6.5.
  *
  * @param states at least one state string, all of the same number of fields
  */

@@ -12,7 +12,8 @@ import pacman.game.Game;
  * A game in real time: both controllers compute in threads of their own, and when the time of a tick is over the game
  * advances by the answers that they have stored by then.
  *
- * <p>Source: spec/controllers.md, sections 2 and 6.2. An interrupt ends the game early (the original goes on).
+ * <p>Source: docs/specification/controllers.md, sections 2 and 6.2. An interrupt ends the game early (the original goes
+ * on).
  */
 final class TimedRun {
 

@@ -30,7 +30,7 @@ import pacman.game.GhostMoves;
  * A game in which the controllers are asked directly, in the calling thread, however long they take.
  *
  * <p>Per tick Ms. Pac-Man's controller gets a copy of the game, then the ghosts' controller another of the same state,
- * then the game advances by both answers. Source: spec/controllers.md, section 6.2.
+ * then the game advances by both answers. Source: docs/specification/controllers.md, section 6.2.
  */
 final class UntimedRun {
 

@@ -30,7 +30,7 @@ import pacman.game.Game;
 import pacman.game.GameRules;
 import pacman.game.GhostLocations;
 
-/** The run modes: spec/controllers.md, section 6. */
+/** The run modes: docs/specification/controllers.md, section 6. */
 @Timeout(120)
 class ExecutorTest {
 

@@ -9,7 +9,7 @@ import java.util.Objects;
  * @param objectives scores that are selected for, all maximised and finite, in the order of {@link Task#objectiveNames()}
  * @param otherScores scores that are only recorded, all finite, in the order of {@link Task#otherScoreNames()}
  * @param moduleUsage for each output module of the genotype how often it was chosen, in that part of the evaluation that
- *     counts for module mutation and for the logs (spec/networks.md, section 6.4)
+ *     counts for module mutation and for the logs (docs/specification/networks.md, section 6.4)
  * @param outcomes how the trials ended
  */
 public record Evaluation(double[] objectives, double[] otherScores, int[] moduleUsage, Outcomes outcomes) {

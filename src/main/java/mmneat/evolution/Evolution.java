@@ -17,7 +17,7 @@ import mmneat.random.ResumableRandom;
  * <p>Parents are evaluated anew in every generation: a score is never carried over, so the scheme is elitist only with respect to
  * the current generation's noisy scores. After the last generation the final parents are evaluated once more.
  *
- * <p>Source: Schrum and Miikkulainen 2016, section 5.2; spec/evolution.md, section 1.
+ * <p>Source: Schrum and Miikkulainen 2016, section 5.2; docs/specification/evolution.md, section 1.
  */
 public final class Evolution {
 

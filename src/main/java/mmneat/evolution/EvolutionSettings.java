@@ -9,7 +9,7 @@ import mmneat.nsga2.ParentSelection;
 /**
  * What decides an evolution besides its task. The names in brackets are the parameters.
  *
- * <p>Source: spec/evolution.md, sections 1 to 3.
+ * <p>Source: docs/specification/evolution.md, sections 1 to 3.
  *
  * @param seed of the generator that serves everything ({@code randomSeed})
  * @param initialPopulationSeed of the initial population alone, if it is to differ ({@code initialPopulationSeed})

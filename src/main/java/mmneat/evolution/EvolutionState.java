@@ -45,7 +45,7 @@ public record EvolutionState(
      * <p>An example network is made first, from which the archetype is copied; then the population. Then the generator starts
      * again: evolution reuses the numbers that made the example and the population, as in the original.
      *
-     * <p>Source: spec/evolution.md, section 3.1.
+     * <p>Source: docs/specification/evolution.md, section 3.1.
      */
     public static EvolutionState initial(EvolutionSettings settings) {
         ResumableRandom random = new ResumableRandom(settings.seed());

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * Least, mean, largest and standard deviation of a sample, summed in the original's order so that the last bit is the same.
  *
- * <p>Source: spec/evolution.md, sections 1.3 and 5.2.
+ * <p>Source: docs/specification/evolution.md, sections 1.3 and 5.2.
  *
  * @param min the least value
  * @param mean the running mean

@@ -10,7 +10,7 @@ import mmneat.random.ResumableRandom;
  * <p>An instance is used by one thread at a time. All its answers but {@link #evaluate} are the same for its whole life, and
  * an evaluation depends on nothing but the genotype and the generator: then a run can be repeated and resumed.
  *
- * <p>Source: spec/evolution.md, section 1.3.
+ * <p>Source: docs/specification/evolution.md, section 1.3.
  */
 public interface Task {
 

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * How the scores of several trials become one.
  *
- * <p>Source: spec/evolution.md, section 1.3.
+ * <p>Source: docs/specification/evolution.md, section 1.3.
  */
 public enum TrialStatistic {
 

@@ -5,6 +5,6 @@
  * <p>The package knows genotypes and selection but no game: whoever implements {@code Task} for a domain of their own gets the
  * same evolution.
  *
- * <p>Source: Schrum and Miikkulainen 2016, section 5.2; spec/evolution.md, sections 1 and 3.
+ * <p>Source: Schrum and Miikkulainen 2016, section 5.2; docs/specification/evolution.md, sections 1 and 3.
  */
 package mmneat.evolution;

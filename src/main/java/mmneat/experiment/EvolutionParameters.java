@@ -111,7 +111,7 @@ record EvolutionParameters(
                 .orElseThrow();
     }
 
-    /** Source: spec/networks.md, section 3.2. */
+    /** Source: docs/specification/networks.md, section 3.2. */
     private ModuleLayout layout(int policyNeurons) {
         if (multitaskModes > 1) {
             return ModuleLayout.multitask(multitaskModes, policyNeurons);

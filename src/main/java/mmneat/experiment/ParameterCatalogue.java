@@ -18,7 +18,7 @@ import java.util.Optional;
  * Every parameter there is: those of the original, supported or not, and the short ones for everyday use.
  *
  * <p>The catalogue is data, the table {@code parameters.csv} beside this class, so that the command line, the help, the
- * documentation and the checks all say the same. Source: spec/evolution.md, sections 13 and 14.
+ * documentation and the checks all say the same. Source: docs/specification/evolution.md, sections 13 and 14.
  */
 public final class ParameterCatalogue {
 

@@ -9,7 +9,7 @@ package mmneat.experiment;
  *       booleans are true for "true" and false for anything else.
  * </ul>
  *
- * Source: spec/evolution.md, section 4.1.
+ * Source: docs/specification/evolution.md, section 4.1.
  *
  * @param name what stands before the sign
  * @param value what stands behind it

@@ -12,7 +12,7 @@ import java.util.Set;
 
 /**
  * The sixteen published experiments: what the paper sets for each task and method, from
- * {@code configs/<task>/<method>.properties}. Source: spec/evolution.md, section 9.
+ * {@code configs/<task>/<method>.properties}. Source: docs/specification/evolution.md, section 9.
  */
 public final class PublishedConfigurations {
 

@@ -18,7 +18,7 @@ import pacman.game.Game;
  * <p>Every direction has a network state of its own, which lasts as long as the direction stays open. Directions are numbered UP
  * 0, RIGHT 1, DOWN 2, LEFT 3. One thread uses an object; nothing is allocated per step.
  *
- * <p>Source: spec/mspacman-task.md, section 3; the paper's section on direction evaluation.
+ * <p>Source: docs/specification/mspacman-task.md, section 3; the paper's section on direction evaluation.
  */
 public final class DirectionEvaluator {
 

@@ -5,7 +5,8 @@ import java.util.Arrays;
 /**
  * How often output modules were used, by situation.
  *
- * <p>Source: spec/mspacman-task.md, section 9; the paper's figures of module use count the module of the chosen direction.
+ * <p>Source: docs/specification/mspacman-task.md, section 9; the paper's figures of module use count the module of the
+ * chosen direction.
  */
 public final class ModuleUse {
 

@@ -23,7 +23,7 @@ import pacman.game.Game;
 /**
  * The task of the paper: evolve networks that play Ms. Pac-Man. An evaluation plays several trials and aggregates their scores.
  *
- * <p>Source: spec/mspacman-task.md, sections 2 and 5.
+ * <p>Source: docs/specification/mspacman-task.md, sections 2 and 5.
  */
 public final class MsPacManTask implements Task {
 
@@ -90,7 +90,10 @@ public final class MsPacManTask implements Task {
         return evaluation.otherScores()[0];
     }
 
-    /** {@inheritDoc} Here the mean game score without its fraction: the quirk of spec/evolution.md, section 5.5. */
+    /**
+     * {@inheritDoc} Here the mean game score without its fraction: the quirk of docs/specification/evolution.md,
+     * section 5.5.
+     */
     @Override
     public double championRank(Evaluation evaluation) {
         return (int) championScore(evaluation);
@@ -207,7 +210,7 @@ public final class MsPacManTask implements Task {
     }
 
     private static Outcomes outcome(Game game, GameEnd end) {
-        // A level that ends twice counts twice: the quirk of spec/mspacman-task.md, section 7.3.
+        // A level that ends twice counts twice: the quirk of docs/specification/mspacman-task.md, section 7.3.
         int beaten = Math.max(0, game.getCurrentLevel() - game.rules().maximumLevel() + 1);
         return new Outcomes(
                 beaten,

@@ -13,7 +13,7 @@ import pacman.game.GhostLocations;
 /**
  * What an evaluation in the Ms. Pac-Man task is. Immutable.
  *
- * <p>Source: spec/mspacman-task.md, sections 1, 2 and 7.
+ * <p>Source: docs/specification/mspacman-task.md, sections 1, 2 and 7.
  *
  * @param version which games make a trial
  * @param trials trials per evaluation, at least 1

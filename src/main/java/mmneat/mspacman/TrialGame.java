@@ -8,7 +8,7 @@ import pacman.game.GameSwitches;
 /**
  * One of the games that make a trial.
  *
- * <p>Source: spec/mspacman-task.md, sections 2.5 and 7.3; spec/simulator.md, section 7.
+ * <p>Source: docs/specification/mspacman-task.md, sections 2.5 and 7.3; docs/specification/simulator.md, section 7.
  *
  * @param name short name for reports and recordings; empty if a trial is a single game
  * @param rules of the game

@@ -3,7 +3,7 @@ package mmneat.neat;
 /**
  * The function that turns a neuron's sum into its activation; {@code mmneat.neat.network} computes it.
  *
- * <p>Source: spec/networks.md, section 5.3.
+ * <p>Source: docs/specification/networks.md, section 5.3.
  */
 public enum ActivationFunction {
     /** 1 / (1 + e(-x)), the exponent clamped to [-7, 7]. */

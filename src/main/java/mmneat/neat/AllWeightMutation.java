@@ -7,7 +7,7 @@ import mmneat.random.ResumableRandom;
  * Adds a standard normal number to each weight with a given probability. Inactive links take part, frozen ones are passed over
  * without a draw; weights have no bound.
  *
- * <p>Source: spec/networks.md, section 8.2.
+ * <p>Source: docs/specification/networks.md, section 8.2.
  *
  * @param rate probability per link
  */

@@ -21,7 +21,7 @@ import java.util.TreeMap;
  * combines two networks of one module each, which the published experiments never perform; they are kept because they use up
  * innovation numbers and are counted in the logs.
  *
- * <p>Source: spec/networks.md, sections 4.2 and 4.3; spec/evolution.md, section 3.3.
+ * <p>Source: docs/specification/networks.md, sections 4.2 and 4.3; docs/specification/evolution.md, section 3.3.
  */
 public final class Archetype {
 

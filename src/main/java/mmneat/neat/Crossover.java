@@ -14,7 +14,7 @@ import mmneat.random.ResumableRandom;
  * Crosses two networks gene by gene. Each child has exactly the structure of its own parent; genes that both parents have are
  * swapped with probability 1/2. Fitness plays no part.
  *
- * <p>Source: spec/networks.md, section 9.
+ * <p>Source: docs/specification/networks.md, section 9.
  *
  * @param excessRate probability that both children get all genes, also those that only one parent has
  */

@@ -2,7 +2,7 @@ package mmneat.neat;
 
 import mmneat.random.ResumableRandom;
 
-/** Removes a random link, whatever depends on it. Source: spec/networks.md, section 8.7. */
+/** Removes a random link, whatever depends on it. Source: docs/specification/networks.md, section 8.7. */
 final class DeleteLinkMutation implements MutationOperator {
 
     @Override

@@ -2,7 +2,7 @@ package mmneat.neat;
 
 import mmneat.random.ResumableRandom;
 
-/** The kinds of random draws that variation is made of. Source: spec/networks.md, section 2. */
+/** The kinds of random draws that variation is made of. Source: docs/specification/networks.md, section 2. */
 final class Draws {
 
     private Draws() {}

@@ -11,7 +11,7 @@ import mmneat.random.ResumableRandom;
  * Thaws the whole network, then freezes its policy neurons or its preference neurons with everything upstream of them, but not
  * through other outputs. Frozen links keep their weights and are not spliced; frozen neurons get no new links.
  *
- * <p>Source: spec/networks.md, section 8.7.
+ * <p>Source: docs/specification/networks.md, section 8.7.
  */
 record FreezeMutation(Part part) implements MutationOperator {
 

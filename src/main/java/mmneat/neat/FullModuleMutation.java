@@ -7,7 +7,7 @@ import mmneat.random.ResumableRandom;
  *
  * <p>Quirk: these output neurons take their innovation from the counter, all others have it by position.
  *
- * <p>Source: spec/networks.md, section 8.7.
+ * <p>Source: docs/specification/networks.md, section 8.7.
  */
 record FullModuleMutation(ActivationFunction activation) implements MutationOperator {
 

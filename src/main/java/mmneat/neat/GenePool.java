@@ -9,7 +9,7 @@ import java.util.Objects;
  * genotypes belong together: innovations of another pool's genotypes mean other structures, and {@link Reproduction} refuses
  * those that it can tell from its own.
  *
- * <p>Source: spec/networks.md, sections 4 and 10.
+ * <p>Source: docs/specification/networks.md, sections 4 and 10.
  */
 public final class GenePool {
 

@@ -15,7 +15,7 @@ import java.util.Set;
  * network's outputs (beyond rounding) but decides which link a random index hits. Inactive links are not part of the network.
  * Innovations of nodes and of links are separate name spaces.
  *
- * <p>Source: spec/networks.md, section 3.
+ * <p>Source: docs/specification/networks.md, section 3.
  */
 public final class Genotype {
 

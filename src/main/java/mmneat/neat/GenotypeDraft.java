@@ -42,7 +42,7 @@ final class GenotypeDraft {
 
     /**
      * A copy as the original makes it, by building a network and reading it back: inactive links disappear, and links are
-     * grouped by source in node order. Source: spec/networks.md, section 7.
+     * grouped by source in node order. Source: docs/specification/networks.md, section 7.
      */
     static GenotypeDraft copyOf(Genotype original, long id) {
         return new GenotypeDraft(original, id, activeLinksBySource(original.nodes(), original.links()));

@@ -10,7 +10,7 @@ import mmneat.random.ResumableRandom;
  * Makes the networks that evolution starts from: policy neurons linked to all inputs, preference neurons to one, no hidden
  * neurons.
  *
- * <p>Source: spec/networks.md, sections 3.2 and 3.3.
+ * <p>Source: docs/specification/networks.md, sections 3.2 and 3.3.
  *
  * @param inputs number of inputs
  * @param layout outputs and modules

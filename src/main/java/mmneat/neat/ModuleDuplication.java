@@ -11,7 +11,7 @@ import mmneat.random.ResumableRandom;
  *
  * <p>Quirk: the new neurons stand last, so a link that was recurrent for the old neuron can act at once for the new one.
  *
- * <p>Source: Schrum and Miikkulainen 2016, section 3.2; spec/networks.md, section 8.5.
+ * <p>Source: Schrum and Miikkulainen 2016, section 3.2; docs/specification/networks.md, section 8.5.
  */
 record ModuleDuplication(ActivationFunction activation) implements MutationOperator {
 

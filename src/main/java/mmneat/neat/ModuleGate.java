@@ -3,7 +3,7 @@ package mmneat.neat;
 /**
  * Decides whether an offspring may gain a module: only if every module of its parent was used enough.
  *
- * <p>Source: spec/networks.md, section 8.6.
+ * <p>Source: docs/specification/networks.md, section 8.6.
  *
  * @param maxModules no module is added to a network that has so many ({@code maxModes})
  * @param usageForNewModule the least used of n modules must have been chosen in a share of at least 1 / (this * n) of the

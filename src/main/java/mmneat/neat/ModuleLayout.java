@@ -6,7 +6,7 @@ package mmneat.neat;
  * <p>Outputs are numbered from 0 in node order. Module m owns {@link #neuronsPerModule()} consecutive outputs: its policy
  * neurons and then, if there are preference neurons, its preference neuron.
  *
- * <p>Source: spec/networks.md, sections 3.1 and 3.2.
+ * <p>Source: docs/specification/networks.md, sections 3.1 and 3.2.
  *
  * @param outputs number of output neurons, preference neurons included
  * @param modules number of output modules

@@ -5,7 +5,7 @@ import java.util.Objects;
 /**
  * Rates of the mutations of an offspring, each a probability in [0, 1]. The names in brackets are the parameters.
  *
- * <p>Source: Schrum and Miikkulainen 2016, section 5.2.3; spec/networks.md, sections 1 and 8.1.
+ * <p>Source: Schrum and Miikkulainen 2016, section 5.2.3; docs/specification/networks.md, sections 1 and 8.1.
  *
  * @param newLink a new link is tried ({@code netLinkRate})
  * @param spliceNeuron a neuron is put into a link ({@code netSpliceRate})

@@ -9,7 +9,7 @@ import mmneat.random.ResumableRandom;
  * Links a random neuron to a random neuron that has outgoing links or is an output. If the two are linked already nothing is
  * added, and there is no second attempt.
  *
- * <p>Source: spec/networks.md, section 8.3.
+ * <p>Source: docs/specification/networks.md, section 8.3.
  */
 final class NewLinkMutation implements MutationOperator {
 

@@ -5,7 +5,7 @@ import mmneat.random.ResumableRandom;
 /**
  * A module that is being added to an offspring: its policy neurons are appended by the mutation, its preference neuron here.
  *
- * <p>Source: spec/networks.md, section 8.5, steps 1, 4 and 5.
+ * <p>Source: docs/specification/networks.md, section 8.5, steps 1, 4 and 5.
  */
 final class NewModule {
 

@@ -7,7 +7,7 @@ import mmneat.random.ResumableRandom;
 /**
  * The complete mutation of one offspring: every operator in turn, each with its probability.
  *
- * <p>An operator whose rate is 0 still takes its draw. Source: spec/networks.md, section 8.1.
+ * <p>An operator whose rate is 0 still takes its draw. Source: docs/specification/networks.md, section 8.1.
  */
 final class OffspringMutation {
 

@@ -5,7 +5,7 @@ import mmneat.random.ResumableRandom;
 /**
  * Adds a standard normal number to the weight of one random link: what the original does if {@code perLinkMutateRate} is 0.
  *
- * <p>Source: spec/networks.md, section 8.2.
+ * <p>Source: docs/specification/networks.md, section 8.2.
  */
 final class OneWeightMutation implements MutationOperator {
 

@@ -5,7 +5,7 @@ import mmneat.random.ResumableRandom;
 /**
  * MM(P): adds a module whose policy neurons each have one link, from the last module's policy neuron of the same place.
  *
- * <p>Source: Schrum and Miikkulainen 2012; spec/networks.md, section 8.7.
+ * <p>Source: Schrum and Miikkulainen 2012; docs/specification/networks.md, section 8.7.
  */
 record PreviousModuleMutation(ActivationFunction activation) implements MutationOperator {
 

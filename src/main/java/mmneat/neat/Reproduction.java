@@ -11,7 +11,7 @@ import mmneat.random.ResumableRandom;
  * advance in the gene pool. A pool and its genotypes belong together: parents of another pool are refused as far as they can
  * be told.
  *
- * <p>Source: spec/networks.md, sections 7 to 10; spec/evolution.md, section 2.4.
+ * <p>Source: docs/specification/networks.md, sections 7 to 10; docs/specification/evolution.md, section 2.4.
  */
 public final class Reproduction {
 

@@ -7,7 +7,7 @@ import mmneat.random.ResumableRandom;
  * Puts a new hidden neuron into a random link. The link becomes inactive and the two new links have small random weights, so
  * that the network's behaviour changes at once.
  *
- * <p>Source: spec/networks.md, sections 4.3 and 8.4.
+ * <p>Source: docs/specification/networks.md, sections 4.3 and 8.4.
  */
 record SpliceNeuronMutation(ActivationFunction activation) implements MutationOperator {
 

@@ -5,6 +5,7 @@
  * <p>A {@link mmneat.neat.Genotype} is immutable. All randomness comes from the generator that is passed in, and all that a
  * population shares is in a {@link mmneat.neat.GenePool}, whose state can be read and set.
  *
- * <p>Source: Stanley and Miikkulainen 2002 (NEAT); Schrum and Miikkulainen 2016 (modules); spec/networks.md.
+ * <p>Source: Stanley and Miikkulainen 2002 (NEAT); Schrum and Miikkulainen 2016 (modules);
+ * docs/specification/networks.md.
  */
 package mmneat.neat;

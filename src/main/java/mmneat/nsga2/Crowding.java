@@ -8,7 +8,7 @@ public enum Crowding {
 
     /**
      * Over the whole population, all fronts together, normalised by the range of each objective: what the original does.
-     * Source: spec/evolution.md, section 2.2.
+     * Source: docs/specification/evolution.md, section 2.2.
      */
     WHOLE_POPULATION {
         @Override

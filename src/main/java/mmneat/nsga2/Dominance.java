@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * Pareto dominance of score vectors, all objectives maximised.
  *
- * <p>Source: Deb et al. 2002, section III; spec/evolution.md, section 2.1.
+ * <p>Source: Deb et al. 2002, section III; docs/specification/evolution.md, section 2.1.
  */
 public final class Dominance {
 

@@ -9,7 +9,7 @@ import java.util.stream.Stream;
  * The volume that a set of score vectors dominates above a reference point: the larger, the closer and the broader the front.
  *
  * <p>Source: E. Zitzler, L. Thiele: Multiobjective evolutionary algorithms, IEEE Transactions on Evolutionary Computation 3
- * (1999); spec/evolution.md, section 7.
+ * (1999); docs/specification/evolution.md, section 7.
  */
 public final class Hypervolume {
 

@@ -8,7 +8,7 @@ import java.util.Objects;
 /**
  * A population sorted into fronts, with crowding distances. Individuals are named by their index in the score array.
  *
- * <p>Source: Deb et al. 2002, section III; spec/evolution.md, sections 2.2 and 2.3.
+ * <p>Source: Deb et al. 2002, section III; docs/specification/evolution.md, sections 2.2 and 2.3.
  */
 public final class NondominatedSorting {
 

@@ -11,7 +11,7 @@ import mmneat.random.ResumableRandom;
  * <p>Children are made in passes. A pass without crossover makes one child; a pass with crossover makes two. With a crossover
  * rate of 0.5, about two thirds of all children therefore come from crossover.
  *
- * <p>Source: spec/evolution.md, section 2.4.
+ * <p>Source: docs/specification/evolution.md, section 2.4.
  *
  * @param isCrossing whether crossover is used at all; if not, no random number is drawn for that decision
  * @param crossoverRate probability that a pass crosses two parents, in [0, 1]

@@ -7,7 +7,7 @@ import java.util.Arrays;
  *
  * <p>No random number is drawn; the order of the scores decides every tie.
  *
- * <p>Source: Deb et al. 2002, section III-C; spec/evolution.md, section 2.5.
+ * <p>Source: Deb et al. 2002, section III-C; docs/specification/evolution.md, section 2.5.
  */
 public final class SurvivorSelection {
 

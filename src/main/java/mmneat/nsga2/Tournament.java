@@ -5,7 +5,7 @@ import mmneat.random.ResumableRandom;
 /**
  * Binary tournaments with replacement: two individuals are drawn, the better is a parent.
  *
- * <p>Source: spec/evolution.md, section 2.4.
+ * <p>Source: docs/specification/evolution.md, section 2.4.
  */
 final class Tournament {
 

@@ -5,8 +5,8 @@
  * {@link mmneat.nsga2.Variation}; it does not know what an individual is.
  *
  * <p>Sources: K. Deb, A. Pratap, S. Agarwal, T. Meyarivan: A fast and elitist multiobjective genetic algorithm: NSGA-II, IEEE
- * Transactions on Evolutionary Computation 6 (2002); spec/evolution.md, section 2. The original departs from the published
- * algorithm in several places, listed in section 2.6 there; {@link mmneat.nsga2.Crowding} offers both forms of the most
- * important one.
+ * Transactions on Evolutionary Computation 6 (2002); docs/specification/evolution.md, section 2. The original departs
+ * from the published algorithm in several places, listed in section 2.6 there; {@link mmneat.nsga2.Crowding} offers
+ * both forms of the most important one.
  */
 package mmneat.nsga2;

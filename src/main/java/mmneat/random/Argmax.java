@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * The argmax with random ties by which modules and directions are chosen.
  *
- * <p>Source: spec/networks.md, section 2.
+ * <p>Source: docs/specification/networks.md, section 2.
  */
 public final class Argmax {
 

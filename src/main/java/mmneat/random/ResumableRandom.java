@@ -9,7 +9,7 @@ import java.util.Random;
  * Gaussians included. Unlike there, drawing takes no locks and no atomic operations: one generator belongs to one thread. It is a
  * {@code java.util.Random} because controllers of the competition take {@code Game.rnd} for one.
  *
- * <p>Source: spec/networks.md, section 2; the documented algorithm of {@code java.util.Random}.
+ * <p>Source: docs/specification/networks.md, section 2; the documented algorithm of {@code java.util.Random}.
  */
 public final class ResumableRandom extends Random {
 

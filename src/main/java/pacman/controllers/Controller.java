@@ -11,7 +11,7 @@ import pacman.game.Game;
  * A worker whose decision throws leaves the controller frozen on its last answer; the thread's name, which Java prints
  * with the exception, is the controller's.
  *
- * <p>Source: the competition's programming interface, release 6.2; spec/controllers.md, section 2.
+ * <p>Source: the competition's programming interface, release 6.2; docs/specification/controllers.md, section 2.
  *
  * @param <T> {@code MOVE} for Ms. Pac-Man, {@code EnumMap<GHOST, MOVE>} for the ghosts
  */

@@ -9,7 +9,7 @@ import pacman.game.Game;
  * <p>An exception in {@link #getAction} is printed, and the stored answer of the last timed decision is used instead; in
  * untimed games there is none, which ends the game under MM-NEAT's rules.
  *
- * <p>Source: spec/controllers.md, section 3.1.
+ * <p>Source: docs/specification/controllers.md, section 3.1.
  */
 public abstract class NewPacManController extends Controller<MOVE> {
 

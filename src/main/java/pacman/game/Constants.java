@@ -6,7 +6,7 @@ package pacman.game;
  * <p>They are compile-time constants at competition values. What a set of rules changes (lives, edible time, ...) is read
  * from {@link GameRules}, never from here. Times are in game steps of 40 ms, distances in nodes.
  *
- * <p>Source: spec/simulator.md, section 2.1; spec/controllers.md, section 1.
+ * <p>Source: docs/specification/simulator.md, section 2.1; docs/specification/controllers.md, section 1.
  */
 public final class Constants {
 

@@ -26,7 +26,7 @@ import pacman.game.internal.PathsCache;
  *
  * <p>A game belongs to one thread at a time; different games share nothing that changes, except a generator passed to several.
  *
- * <p>Source: spec/simulator.md, section 6.
+ * <p>Source: docs/specification/simulator.md, section 6.
  */
 public final class Game {
 
@@ -858,7 +858,7 @@ public final class Game {
         state.set(GameState.WITHOUT_POWER_PILLS, false);
     }
 
-    // ---- Counters over the whole game; spec/simulator.md, section 8
+    // ---- Counters over the whole game; docs/specification/simulator.md, section 8
 
     /** Pills and power pills eaten. */
     public int getEatenPills() {

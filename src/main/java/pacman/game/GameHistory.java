@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * What a game remembers of its course, for reports: lists that no rule depends on. Copies of a game have none.
  *
- * <p>Source: spec/simulator.md, sections 2.4, 2.5 and 8.
+ * <p>Source: docs/specification/simulator.md, sections 2.4, 2.5 and 8.
  */
 final class GameHistory {
 

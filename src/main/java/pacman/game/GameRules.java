@@ -6,7 +6,8 @@ import pacman.game.internal.Mazes;
 /**
  * What differs from one kind of game to another. Immutable; {@link #with()} makes changed copies.
  *
- * <p>Times are in game steps. Source: spec/simulator.md, sections 2 and 7; spec/controllers.md, section 1.3.
+ * <p>Times are in game steps. Source: docs/specification/simulator.md, sections 2 and 7;
+ * docs/specification/controllers.md, section 1.3.
  *
  * @param conventions whose behaviour counts where the competition's and MM-NEAT's differ
  * @param mazes the mazes of the levels
@@ -59,7 +60,7 @@ public record GameRules(
         GameSwitches switches,
         GhostLocations ghostLocations) {
 
-    /** Whose behaviour counts where the two frameworks differ; spec/controllers.md, section 1.3. */
+    /** Whose behaviour counts where the two frameworks differ; docs/specification/controllers.md, section 1.3. */
     public enum Conventions {
         /**
          * The competition's, release 6.2: a copy is the game's equal, a null move is an illegal move, the state string has

@@ -15,7 +15,7 @@ import pacman.game.internal.MazeTables;
  * The state of a game, in fields and small arrays, and the resets that start a life or a level. {@link GameStep} changes it
  * from step to step.
  *
- * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none. Source: spec/simulator.md, sections 2.2, 2.8 and 5.
+ * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none. Source: docs/specification/simulator.md, sections 2.2, 2.8 and 5.
  */
 final class GameState {
 
@@ -122,7 +122,7 @@ final class GameState {
     boolean pillEaten;
     boolean powerPillEaten;
 
-    // Counters over the whole game; spec/simulator.md, section 8.
+    // Counters over the whole game; docs/specification/simulator.md, section 8.
     int eatenPills;
     int eatenGhosts;
     int ghostReward;

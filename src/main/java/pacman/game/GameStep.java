@@ -13,7 +13,7 @@ import pacman.game.internal.MazePoses;
  * The rules of one game step, in the order in which {@link Game#advanceGame} applies them. Nothing here allocates, except when
  * a lair exit starts a level.
  *
- * <p>Source: spec/simulator.md, sections 2.3 to 2.7.
+ * <p>Source: docs/specification/simulator.md, sections 2.3 to 2.7.
  */
 final class GameStep {
 

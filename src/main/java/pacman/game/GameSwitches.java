@@ -3,7 +3,7 @@ package pacman.game;
 /**
  * Rules that are switched on one game object at a time, as the tasks of MM-NEAT do.
  *
- * <p>Source: spec/simulator.md, section 7.
+ * <p>Source: docs/specification/simulator.md, section 7.
  *
  * @param exitLairEdible ghosts leave the lair edible
  * @param endOnlyOnTimeLimit eating everything does not end a level

@@ -32,7 +32,7 @@ import pacman.game.internal.Node;
  * squares and lines, each shown for one painting. Without a view they are dropped, and never are more than {@value
  * #DEBUG_LIMIT} of a kind kept. On a machine without a display a view exists, but shows nothing.
  *
- * <p>Source: spec/controllers.md, section 7.
+ * <p>Source: docs/specification/controllers.md, section 7.
  */
 public final class GameView extends JComponent {
 
@@ -169,7 +169,7 @@ public final class GameView extends JComponent {
         }
     }
 
-    /** Paints in the order of spec/controllers.md, section 7.2; the offsets are those of its table. */
+    /** Paints in the order of docs/specification/controllers.md, section 7.2; the offsets are those of its table. */
     private void paintState(Graphics graphics, Game state) {
         graphics.setColor(Color.BLACK);
         graphics.fillRect(0, 0, PICTURE_WIDTH, PICTURE_HEIGHT);

@@ -17,7 +17,7 @@ import pacman.game.internal.Mazes;
  * <p>The text has one situation per line, six whitespace-separated integers: maze, power pill, and the nodes of Blinky, Pinky,
  * Inky and Sue. The first {@value #SITUATIONS} lines of each maze and power pill count. Every line is checked.
  *
- * <p>Source: spec/simulator.md, section 7 (database file).
+ * <p>Source: docs/specification/simulator.md, section 7 (database file).
  */
 public final class GhostLocations {
 

@@ -11,7 +11,7 @@ import pacman.game.internal.MazeTables;
  *
  * <p>Move queries compare the neighbours of a node in the order up, right, down, left; the first strictly better one wins.
  *
- * <p>Source: spec/simulator.md, sections 4.1 and 4.2.
+ * <p>Source: docs/specification/simulator.md, sections 4.1 and 4.2.
  */
 final class MoveQueries {
 

@@ -16,7 +16,7 @@ import pacman.game.internal.MazePoses;
  * The state string: fields joined by commas. The competition's has {@value #SHORT} fields; MM-NEAT's {@value #LONG} add
  * generator, counters and switches in front. Both are read, whatever the game's conventions.
  *
- * <p>Source: spec/simulator.md, section 5.
+ * <p>Source: docs/specification/simulator.md, section 5.
  */
 final class StateText {
 

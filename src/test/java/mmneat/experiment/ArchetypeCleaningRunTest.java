@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * A run in which the archetype is cleaned several times, stopped and continued after every generation, just before and just
- * after each cleaning too. Source: spec/evolution.md, section 3.3.
+ * after each cleaning too. Source: docs/specification/evolution.md, section 3.3.
  */
 class ArchetypeCleaningRunTest {
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Threads of a controller in timed games: spec/controllers.md, section 2. */
+/** Threads of a controller in timed games: docs/specification/controllers.md, section 2. */
 @Timeout(60)
 class ControllerTest {
 

@@ -388,7 +388,7 @@ class GameTest {
         assertThat(game.getActivePowerPillsIndices()).isEmpty();
     }
 
-    /** Edible time, lair time and first lair times by level; spec/simulator.md, section 2.1. */
+    /** Edible time, lair time and first lair times by level; docs/specification/simulator.md, section 2.1. */
     @ParameterizedTest
     @CsvSource({
         "0, 200, 40, 60, 80, 100",

@@ -13,7 +13,7 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.internal.Node;
 
-/** The picture of a game, painted off screen: spec/controllers.md, section 7. */
+/** The picture of a game, painted off screen: docs/specification/controllers.md, section 7. */
 class GameViewTest {
 
     private final Game game = new Game(0);

@@ -30,7 +30,7 @@ import pacman.game.Game;
  * The original's eval report: one evaluation of many trials, drawn from the run's seed like the original, trial by trial, with
  * module use per direction.
  *
- * <p>Source: spec/evolution.md, section 6.2.
+ * <p>Source: docs/specification/evolution.md, section 6.2.
  */
 public final class EvaluationReport implements EvaluationObserver {
 

@@ -6,7 +6,7 @@ import mmneat.experiment.UserError;
 import pacman.game.Constants;
 import pacman.game.GameRules;
 
-/** The rules under which champions are evaluated (spec/evolution.md, section 6.1). */
+/** The rules under which champions are evaluated (docs/specification/evolution.md, section 6.1). */
 public enum Rules {
     /** As in evolution: one life. */
     TRAINING("training"),

@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 
 /**
  * Short names for the sensors, close to the paper's. "Trapped" is 1 if no junction lies between her and the ghost
- * (spec/mspacman-task.md, section 11).
+ * (docs/specification/mspacman-task.md, section 11).
  */
 public final class SensorNames {
 

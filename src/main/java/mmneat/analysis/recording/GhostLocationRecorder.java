@@ -20,8 +20,8 @@ import pacman.game.Game;
  *
  * <p>The same champion, settings and seed give the same recording. {@link pacman.game.GhostLocations} reads its text.
  *
- * <p>Source: the paper's description of the isolated task; spec/simulator.md, section 7 (database); spec/evolution.md, section
- * 5.1 (PowerPillToGhostLocationMapping log).
+ * <p>Source: the paper's description of the isolated task; docs/specification/simulator.md, section 7 (database);
+ * docs/specification/evolution.md, section 5.1 (PowerPillToGhostLocationMapping log).
  */
 public final class GhostLocationRecorder {
 

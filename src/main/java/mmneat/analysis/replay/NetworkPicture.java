@@ -26,8 +26,8 @@ final class NetworkPicture {
             if (link.active()) {
                 int source = positions.get(link.source());
                 int target = positions.get(link.target());
-                // The order of the nodes decides what a link brings, not the gene's flag: see spec/networks.md, section
-                // 5.
+                // The order of the nodes decides what a link brings, not the gene's flag: see
+                // docs/specification/networks.md, section 5.
                 links.add(new ReplayNetwork.Link(source, target, link.weight(), target <= source));
             }
         }

@@ -14,7 +14,7 @@ import pacman.game.Game;
  * effect and activations that nobody reads. Draws from a generator of its own; only which of two exactly equal modules is
  * chosen could differ, and that is taken from the player.
  *
- * <p>Source of the order of flushing: spec/mspacman-task.md, section 3.1.
+ * <p>Source of the order of flushing: docs/specification/mspacman-task.md, section 3.1.
  */
 final class ShadowNetworks {
 

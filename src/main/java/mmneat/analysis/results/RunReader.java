@@ -28,7 +28,10 @@ public final class RunReader {
 
     private static final String PARENTS_LOG = "_parents_log.txt";
 
-    /** Column 12 of the parents log, counted from 1: the best average game score (spec/evolution.md, section 5.2). */
+    /**
+     * Column 12 of the parents log, counted from 1: the best average game score (docs/specification/evolution.md,
+     * section 5.2).
+     */
     private static final int CHAMPION_SCORE_COLUMN = 12;
 
     private RunReader() {}

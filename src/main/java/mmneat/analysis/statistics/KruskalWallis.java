@@ -9,7 +9,7 @@ import org.apache.commons.math3.stat.ranking.TiesStrategy;
 /**
  * Result of the Kruskal-Wallis rank sum test: do the samples come from one distribution?
  *
- * <p>As R's {@code kruskal.test} (spec/evolution.md, section 8). No library of the build offers the test.
+ * <p>As R's {@code kruskal.test} (docs/specification/evolution.md, section 8). No library of the build offers the test.
  *
  * @param h the statistic, corrected for ties; NaN if all values are equal
  * @param degreesOfFreedom number of samples - 1

@@ -8,7 +8,7 @@ import org.apache.commons.statistics.inference.PValueMethod;
 /**
  * Two-sided Mann-Whitney U test of two samples, as R's {@code wilcox.test} decides it: exact if both have fewer than 50 values
  * and no value occurs twice in the pair, else the normal approximation with continuity correction and tie-corrected variance
- * (spec/evolution.md, section 8). The probabilities themselves are computed by Commons Statistics.
+ * (docs/specification/evolution.md, section 8). The probabilities themselves are computed by Commons Statistics.
  *
  * @param a label of the first sample
  * @param b label of the second sample

@@ -9,7 +9,7 @@ import java.math.BigInteger;
  * gave one digit more. Files must not depend on the Java that happens to run, so the older rule is written out here.
  *
  * <p>Source: G. L. Steele, J. L. White: How to print floating-point numbers accurately, PLDI 1990, of whose free-format
- * algorithm that rule is a variant; spec/evolution.md, section 5.
+ * algorithm that rule is a variant; docs/specification/evolution.md, section 5.
  */
 public final class DoubleText {
 

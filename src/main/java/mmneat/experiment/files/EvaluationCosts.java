@@ -9,7 +9,7 @@ import mmneat.evolution.Individual;
 /**
  * What the Performance log says of the evaluations of a generation: times, and how trials ended.
  *
- * <p>Source: spec/evolution.md, section 5.2.
+ * <p>Source: docs/specification/evolution.md, section 5.2.
  */
 final class EvaluationCosts {
 

@@ -9,7 +9,7 @@ import mmneat.evolution.SampleStatistics;
 /**
  * The log of how many modules the best and the worst parents have, and how well parents do with each number of modules.
  *
- * <p>Source: spec/evolution.md, section 5.2 (ModeUsage).
+ * <p>Source: docs/specification/evolution.md, section 5.2 (ModeUsage).
  */
 final class ModuleCountLog {
 

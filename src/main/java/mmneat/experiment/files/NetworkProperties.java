@@ -11,7 +11,7 @@ import mmneat.neat.LinkGene;
 /**
  * What the log of networks says of one: sizes, how its modules were used, and which inputs it uses.
  *
- * <p>Source: spec/evolution.md, section 5.2 (TWEANNData).
+ * <p>Source: docs/specification/evolution.md, section 5.2 (TWEANNData).
  */
 final class NetworkProperties {
 

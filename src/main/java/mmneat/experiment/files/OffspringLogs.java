@@ -7,7 +7,7 @@ import mmneat.neat.Offspring;
 /**
  * The logs of lineage and of mutations: a line for each child, and one that closes the generation.
  *
- * <p>Source: spec/evolution.md, sections 1.2, 3.4 and 5.1.
+ * <p>Source: docs/specification/evolution.md, sections 1.2, 3.4 and 5.1.
  */
 final class OffspringLogs {
 

@@ -9,7 +9,7 @@ import mmneat.evolution.SampleStatistics;
  * A log with a row for each generation: of every property of a population its least, mean and largest value and its standard
  * deviation.
  *
- * <p>Source: spec/evolution.md, sections 5.2 and 5.3.
+ * <p>Source: docs/specification/evolution.md, sections 5.2 and 5.3.
  *
  * @param name what the log is of, such as {@code parents}
  * @param labels names of the properties

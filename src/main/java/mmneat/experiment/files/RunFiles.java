@@ -23,7 +23,7 @@ import mmneat.neat.io.GenotypeXml;
  * come out the same. The networks are the exception if only the newest are wanted: they follow from the checkpoint, they are many,
  * and most would be deleted at once; {@link #writeNewestNetworks} writes them.
  *
- * <p>Source: spec/evolution.md, section 5.
+ * <p>Source: docs/specification/evolution.md, section 5.
  */
 public final class RunFiles implements EvolutionObserver {
 

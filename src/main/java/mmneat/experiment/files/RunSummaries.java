@@ -19,7 +19,7 @@ import mmneat.nsga2.Hypervolume;
  *
  * <p>Unlike the original, nothing of the runs is lost on the way: all generations that all runs have are averaged.
  *
- * <p>Source: spec/evolution.md, section 7.
+ * <p>Source: docs/specification/evolution.md, section 7.
  */
 public final class RunSummaries {
 

@@ -11,7 +11,7 @@ import mmneat.evolution.Individual;
 /**
  * Scores of individuals as text.
  *
- * <p>Source: spec/evolution.md, sections 1.3 and 5.1.
+ * <p>Source: docs/specification/evolution.md, sections 1.3 and 5.1.
  */
 final class ScoreTables {
 

@@ -1,6 +1,6 @@
 /**
  * The files of a run in the original's formats, byte for byte, and the summaries over runs.
  *
- * <p>Source: spec/evolution.md, sections 5 and 7.
+ * <p>Source: docs/specification/evolution.md, sections 5 and 7.
  */
 package mmneat.experiment.files;

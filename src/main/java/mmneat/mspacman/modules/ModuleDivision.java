@@ -8,7 +8,7 @@ import mmneat.mspacman.sensors.Situation;
  * <p>To use a division of one's own, write a class that implements this interface and has a public constructor without
  * arguments, and name it in {@code pacmanMultitaskScheme}. It keeps no state.
  *
- * <p>Source: spec/mspacman-task.md, section 6.
+ * <p>Source: docs/specification/mspacman-task.md, section 6.
  */
 public interface ModuleDivision {
 

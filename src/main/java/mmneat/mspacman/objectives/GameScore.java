@@ -10,7 +10,8 @@ import pacman.game.GameRules;
 /**
  * What a finished game is worth in one respect.
  *
- * <p>Source: spec/mspacman-task.md, section 5; the counters are those of spec/simulator.md, section 8.
+ * <p>Source: docs/specification/mspacman-task.md, section 5; the counters are those of docs/specification/simulator.md,
+ * section 8.
  *
  * @param name the original's class name
  * @param ofGame the score of a finished game

@@ -12,7 +12,7 @@ import pacman.game.GameRules;
 /**
  * A score that is recorded but not selected for, and how it is formed from trials.
  *
- * <p>Source: spec/mspacman-task.md, section 5.
+ * <p>Source: docs/specification/mspacman-task.md, section 5.
  *
  * @param score what is recorded of each trial
  * @param statistic how trials become one number

@@ -3,7 +3,7 @@ package mmneat.mspacman.sensors;
 /**
  * A sensor of a distance: steps / 200, and 1 from 200 steps on or if what is looked for does not exist. Range [0, 1].
  *
- * <p>Source: spec/mspacman-task.md, sections 4.4 and 4.6.
+ * <p>Source: docs/specification/mspacman-task.md, sections 4.4 and 4.6.
  */
 interface DistanceSensor extends GradedSensor {
 

@@ -6,7 +6,7 @@ import pacman.game.internal.MazeGraph;
  * The junctions beyond the next one: where the moves at the next junction lead, the paths to there, and which of the moves lead
  * back to where Ms. Pac-Man is.
  *
- * <p>Source: spec/mspacman-task.md, section 4.10.
+ * <p>Source: docs/specification/mspacman-task.md, section 4.10.
  */
 final class OnwardJunctions {
 

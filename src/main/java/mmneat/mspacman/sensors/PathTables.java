@@ -13,7 +13,7 @@ import pacman.game.internal.MazeTables;
  * <p>A path lists the nodes after the start, the target last; its length is its number of steps. The simulator's paths are
  * not exact shortest paths; these are the same, tie for tie.
  *
- * <p>Source: spec/simulator.md, sections 4.3 and 4.4; spec/mspacman-task.md, section 4.3.
+ * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4; docs/specification/mspacman-task.md, section 4.3.
  */
 final class PathTables {
 

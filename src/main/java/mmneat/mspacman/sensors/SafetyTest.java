@@ -5,7 +5,7 @@ import static mmneat.mspacman.sensors.CorridorPositions.NONE;
 /**
  * Which junctions Ms. Pac-Man can reach in the direction that is looked at before a ghost stops her.
  *
- * <p>Source: spec/mspacman-task.md, sections 4.10 and 4.11, whose rules the methods follow.
+ * <p>Source: docs/specification/mspacman-task.md, sections 4.10 and 4.11, whose rules the methods follow.
  */
 final class SafetyTest {
 

@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * Which sensors a network has. Immutable; {@link #blended()} and {@link #imprisoned()} are the published choices.
  *
- * <p>Source: spec/mspacman-task.md, section 4.1. The names are those of the parameters.
+ * <p>Source: docs/specification/mspacman-task.md, section 4.1. The names are those of the parameters.
  *
  * @param junctionsToSense how many of the nearest junctions' distances are sensed, at least 1
  * @param incoming whether approaching ghosts are sensed

@@ -7,9 +7,10 @@ import pacman.game.Game;
  * What sensors see: the state of a game in one time step, looked at in one direction from Ms. Pac-Man.
  *
  * <p>Directions are numbered UP 0, RIGHT 1, DOWN 2, LEFT 3; ghosts Blinky 0, Pinky 1, Inky 2, Sue 3. Distances are in steps,
- * times in steps. All paths are the simulator's (spec/simulator.md, sections 4.3 and 4.4). One thread uses a situation.
+ * times in steps. All paths are the simulator's (docs/specification/simulator.md, sections 4.3 and 4.4). One thread
+ * uses a situation.
  *
- * <p>Source: spec/mspacman-task.md, section 4.
+ * <p>Source: docs/specification/mspacman-task.md, section 4.
  */
 public final class Situation {
 

@@ -7,7 +7,7 @@ import pacman.game.internal.MazeGraph;
 /**
  * All walks of a given number of steps that start in a direction and never turn back, and what they meet.
  *
- * <p>Source: spec/mspacman-task.md, section 4.7; the paper's "30 steps ahead".
+ * <p>Source: docs/specification/mspacman-task.md, section 4.7; the paper's "30 steps ahead".
  */
 final class WalkTables {
 

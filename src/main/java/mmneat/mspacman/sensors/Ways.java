@@ -8,7 +8,7 @@ import pacman.game.internal.MazeGraph;
 /**
  * How somebody on the way goes on: along which corridor, and what follows at its end.
  *
- * <p>Source: spec/simulator.md, sections 4.3 and 4.4.
+ * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4.
  */
 final class Ways {
 

@@ -15,7 +15,7 @@ import mmneat.neat.NodeType;
  * <p>What is written here reads in the original, and what the original wrote reads here, from either of the packages under
  * which it was published. Safe for files from strangers: no document types, no entities, no deep nests.
  *
- * <p>Source: spec/networks.md, section 12.
+ * <p>Source: docs/specification/networks.md, section 12.
  */
 public final class GenotypeXml {
 

@@ -11,7 +11,7 @@ import java.util.Set;
 /**
  * An object in the notation of the original's serialiser (WOX): a class name and fields by name. Every error names the field.
  *
- * <p>Source: spec/networks.md, section 12.
+ * <p>Source: docs/specification/networks.md, section 12.
  */
 final class SerialisedObject {
 

@@ -6,8 +6,8 @@ import java.util.function.BiConsumer;
 /**
  * Writes objects in the notation of the original's serialiser, character for character.
  *
- * <p>Names and values are numbers, constants and class names, so that nothing needs escaping. Source: spec/networks.md, section
- * 12.
+ * <p>Names and values are numbers, constants and class names, so that nothing needs escaping. Source:
+ * docs/specification/networks.md, section 12.
  */
 final class SerialisedText {
 

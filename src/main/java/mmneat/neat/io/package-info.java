@@ -3,6 +3,6 @@
  *
  * <p>The JSON form needs Jackson; the rest needs the JDK alone. Nothing else in {@code mmneat.neat} depends on this package.
  *
- * <p>Source: docs/genotype-format.md; spec/networks.md, section 12.
+ * <p>Source: docs/genotype-format.md; docs/specification/networks.md, section 12.
  */
 package mmneat.neat.io;

@@ -5,7 +5,8 @@ import mmneat.neat.ActivationFunction;
 /**
  * The activation functions.
  *
- * <p>Source: spec/networks.md, section 5.3; the exponential made of the bits of a double: Schraudolph 1999.
+ * <p>Source: docs/specification/networks.md, section 5.3; the exponential made of the bits of a double: Schraudolph
+ * 1999.
  */
 final class Functions {
 

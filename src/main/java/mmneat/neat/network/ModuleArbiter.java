@@ -9,7 +9,7 @@ import mmneat.random.ResumableRandom;
  * Chooses modules and combines their answers in the ways that the published experiments do not use, and keeps the modules'
  * fatigue.
  *
- * <p>Source: spec/networks.md, section 6.3.
+ * <p>Source: docs/specification/networks.md, section 6.3.
  */
 final class ModuleArbiter {
 

@@ -6,7 +6,7 @@ import java.util.Objects;
 /**
  * How a network's answer is made of its modules' answers. The published experiments use {@link #PREFERENCE} alone.
  *
- * <p>Source: spec/networks.md, sections 6.1 and 6.3.
+ * <p>Source: docs/specification/networks.md, sections 6.1 and 6.3.
  *
  * @param softmaxTemperature if positive, a module is drawn with a probability proportional to exp(preference /
  *     temperature); 0: the highest preference wins

@@ -8,7 +8,7 @@ import mmneat.neat.ModuleLayout;
 /**
  * A genotype compiled for activation: immutable, and shared by any number of {@link NetworkState}s and threads.
  *
- * <p>Source: spec/networks.md, section 5.
+ * <p>Source: docs/specification/networks.md, section 5.
  */
 public final class Network {
 

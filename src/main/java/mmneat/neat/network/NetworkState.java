@@ -10,7 +10,7 @@ import mmneat.random.ResumableRandom;
  * <p>Any number of states may share one {@link Network}; a state belongs to one thread. After a step, and until the next
  * step or flush, every activation can be read. Stepping allocates nothing.
  *
- * <p>Source: spec/networks.md, sections 5.2 and 6.
+ * <p>Source: docs/specification/networks.md, sections 5.2 and 6.
  */
 public final class NetworkState {
 

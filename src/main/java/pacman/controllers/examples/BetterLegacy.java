@@ -6,7 +6,10 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** As {@link Legacy}, with exact path distances that forbid reversing on the whole way. Source: spec/controllers.md, section 5.2. */
+/**
+ * As {@link Legacy}, with exact path distances that forbid reversing on the whole way. Source:
+ * docs/specification/controllers.md, section 5.2.
+ */
 public class BetterLegacy extends Legacy {
 
     @Override

@@ -5,7 +5,10 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** As {@link Legacy}, but an edible BLINKY, INKY or PINKY flees; SUE is always random. Source: spec/controllers.md, section 5.2. */
+/**
+ * As {@link Legacy}, but an edible BLINKY, INKY or PINKY flees; SUE is always random. Source:
+ * docs/specification/controllers.md, section 5.2.
+ */
 public class ChaseFleeGhosts extends Legacy {
 
     @Override

@@ -6,7 +6,10 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** As {@link Legacy}, but SUE behaves like BLINKY, so that nothing is random. Source: spec/controllers.md, section 5.2. */
+/**
+ * As {@link Legacy}, but SUE behaves like BLINKY, so that nothing is random. Source: docs/specification/controllers.md,
+ * section 5.2.
+ */
 public class DeterministicLegacy extends Legacy {
 
     @Override

@@ -11,7 +11,7 @@ import pacman.game.Game;
 
 /**
  * What the example ghost teams share: each ghost that requires an action is asked in turn, and the answers go into one
- * map that the team owns and reuses. Source: spec/controllers.md, section 5.1.
+ * map that the team owns and reuses. Source: docs/specification/controllers.md, section 5.1.
  */
 abstract class GhostTeam extends NewGhostController implements ReadOnlyController<EnumMap<GHOST, MOVE>> {
 

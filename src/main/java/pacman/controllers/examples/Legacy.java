@@ -11,7 +11,7 @@ import pacman.game.Game;
  * SUE moves at random. It never looks at edibility: edible ghosts keep heading for her, and only the reversal that a power
  * pill causes turns them away.
  *
- * <p>Source: Schrum and Miikkulainen 2016, section 4.1; spec/controllers.md, section 5.4.
+ * <p>Source: Schrum and Miikkulainen 2016, section 4.1; docs/specification/controllers.md, section 5.4.
  */
 public class Legacy extends ForgetfulGhostTeam {
 

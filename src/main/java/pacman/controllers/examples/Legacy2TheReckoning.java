@@ -8,7 +8,7 @@ import pacman.game.Game;
 
 /**
  * Ghosts that spread to their corners when they are crowded, flee when they are edible or Ms. Pac-Man is near a power
- * pill, and chase her otherwise. Source: spec/controllers.md, section 5.3.
+ * pill, and chase her otherwise. Source: docs/specification/controllers.md, section 5.3.
  */
 public class Legacy2TheReckoning extends GhostTeam {
 

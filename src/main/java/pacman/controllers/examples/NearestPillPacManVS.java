@@ -9,7 +9,7 @@ import pacman.game.GameView;
 
 /**
  * As {@link NearestPillPacMan}, and shows how to draw into the view: BLINKY's way to the first power pill, in red if it
- * might reverse and in yellow as it may really go. Source: spec/controllers.md, section 5.5.
+ * might reverse and in yellow as it may really go. Source: docs/specification/controllers.md, section 5.5.
  */
 public final class NearestPillPacManVS extends Controller<MOVE> {
 

@@ -7,8 +7,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Ms. Pac-Man draws one of the directions open to her, except the way she came from. Source: spec/controllers.md,
- * section 5.5.
+ * Ms. Pac-Man draws one of the directions open to her, except the way she came from. Source:
+ * docs/specification/controllers.md, section 5.5.
  */
 public final class RandomNonRevPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
 

@@ -8,7 +8,7 @@ import pacman.game.Game;
 
 /**
  * Ghosts that flee when they are edible or Ms. Pac-Man is near a power pill, attack mostly, and wander sometimes. Source:
- * spec/controllers.md, section 5.3.
+ * docs/specification/controllers.md, section 5.3.
  */
 public final class StarterGhosts extends GhostTeam {
 

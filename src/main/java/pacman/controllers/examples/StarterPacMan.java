@@ -10,7 +10,7 @@ import pacman.game.Game;
 
 /**
  * Ms. Pac-Man runs from the first near ghost, else chases the nearest edible ghost, else goes for the nearest pill.
- * Source: spec/controllers.md, section 5.5.
+ * Source: docs/specification/controllers.md, section 5.5.
  */
 public class StarterPacMan extends NewPacManController implements ReadOnlyController<MOVE> {
 

@@ -5,7 +5,10 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** As {@link Legacy}, but all ghosts except BLINKY move at random. Source: spec/controllers.md, section 5.2. */
+/**
+ * As {@link Legacy}, but all ghosts except BLINKY move at random. Source: docs/specification/controllers.md, section
+ * 5.2.
+ */
 public class VeryRandomLegacy extends Legacy {
 
     @Override

@@ -7,7 +7,7 @@ import pacman.game.Game;
 /**
  * Search for a path without turning back, as competition entries call it. The same search fills the path cache.
  *
- * <p>Source: spec/simulator.md, section 4.3.
+ * <p>Source: docs/specification/simulator.md, section 4.3.
  */
 public class AStar {
 

@@ -9,7 +9,7 @@ import java.util.Arrays;
  * junction has one leg of length 0 that ends in itself. The lair has none. A leg's path lists the nodes after the start, the
  * junction last.
  *
- * <p>Source: spec/simulator.md, section 4.3 (legs).
+ * <p>Source: docs/specification/simulator.md, section 4.3 (legs).
  */
 public final class Corridors {
 

@@ -3,7 +3,7 @@ package pacman.game.internal;
 /**
  * A maze, as competition entries see it. One object is shared by all games: do not modify its arrays.
  *
- * <p>Source: spec/simulator.md, section 1.4.
+ * <p>Source: docs/specification/simulator.md, section 1.4.
  */
 public final class Maze {
 

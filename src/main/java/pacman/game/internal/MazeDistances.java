@@ -3,7 +3,7 @@ package pacman.game.internal;
 /**
  * Path distances between all nodes of a maze, where turning back is allowed. Immutable.
  *
- * <p>Source: spec/simulator.md, sections 1.1 and 4.1.
+ * <p>Source: docs/specification/simulator.md, sections 1.1 and 4.1.
  */
 public final class MazeDistances {
 

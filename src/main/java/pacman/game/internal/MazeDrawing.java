@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
  * the text format. What is wrong inside one line is found here, what is wrong with the maze as a whole by
  * {@link MazeGraph}.
  *
- * <p>Source: spec/simulator.md, section 1.
+ * <p>Source: docs/specification/simulator.md, section 1.
  */
 final class MazeDrawing {
 

@@ -10,7 +10,7 @@ import pacman.game.Constants.MOVE;
  * <p>Nodes are numbered by y, then x. Directions are the ordinals of {@link MOVE}: 0 up, 1 right, 2 down, 3 left. A
  * corridor pixel on the left border leads to the one on the right border in the same row: a tunnel.
  *
- * <p>Source: spec/simulator.md, sections 1.2 and 7 (removePillsNearPowerPills).
+ * <p>Source: docs/specification/simulator.md, sections 1.2 and 7 (removePillsNearPowerPills).
  */
 public final class MazeGraph {
 

@@ -9,7 +9,7 @@ import java.util.Arrays;
  * <p>A path lists the nodes after the start, the target last; its length is its number of steps; it is empty if start and
  * target are the same. Directions are 0 up, 1 right, 2 down, 3 left; a last move may also be 4, none.
  *
- * <p>Source: spec/simulator.md, sections 4.3 and 4.4.
+ * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4.
  */
 public final class MazePaths {
 

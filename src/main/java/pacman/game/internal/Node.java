@@ -11,7 +11,7 @@ import pacman.game.Constants.MOVE;
  * opposite leads to a neighbour, which holds all but that one. Everything is in the order up, right, down, left. They are
  * shared by all games: do not modify them.
  *
- * <p>Source: spec/simulator.md, section 1.4.
+ * <p>Source: docs/specification/simulator.md, section 1.4.
  */
 public final class Node {
 

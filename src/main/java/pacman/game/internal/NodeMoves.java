@@ -7,7 +7,7 @@ import pacman.game.Constants.MOVE;
  * Directions and neighbours of each node as arrays of their own, for entries that ask for them at every step. They are
  * shared by all games: do not modify them.
  *
- * <p>Source: spec/simulator.md, section 1.4.
+ * <p>Source: docs/specification/simulator.md, section 1.4.
  */
 public final class NodeMoves {
 

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * the simulator's behaviour, therefore the open list is the binary heap of {@link java.util.PriorityQueue}, step by step,
  * over node numbers.
  *
- * <p>Source: spec/simulator.md, section 4.3. One instance serves one thread.
+ * <p>Source: docs/specification/simulator.md, section 4.3. One instance serves one thread.
  */
 final class NonReversingSearch {
 

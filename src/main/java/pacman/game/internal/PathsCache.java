@@ -8,7 +8,7 @@ import pacman.game.Game;
  * Paths of one of the four mazes, as competition entries ask for them without a game. The paths themselves are made when the
  * first is asked for, and shared with all games.
  *
- * <p>Source: spec/simulator.md, sections 1.4 and 4.4.
+ * <p>Source: docs/specification/simulator.md, sections 1.4 and 4.4.
  */
 public class PathsCache {
 

@@ -11,7 +11,7 @@ import mmneat.neat.ModuleLayout;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Logs of which golden runs show a part only. Source: spec/evolution.md, section 5.2. */
+/** Logs of which golden runs show a part only. Source: docs/specification/evolution.md, section 5.2. */
 class GenerationLogsTest {
 
     private static Individual individual(int modules, double score, Outcomes outcomes, long milliseconds) {

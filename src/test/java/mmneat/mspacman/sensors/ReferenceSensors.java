@@ -11,8 +11,8 @@ import pacman.game.internal.MazePaths;
 import pacman.game.internal.MazeTables;
 
 /**
- * The sensors in their plainest form: searching, listing and comparing whole paths, as spec/mspacman-task.md says
- * it in section 4. Slow, and without any of the tables of the fast form.
+ * The sensors in their plainest form: searching, listing and comparing whole paths, as
+ * docs/specification/mspacman-task.md says it in section 4. Slow, and without any of the tables of the fast form.
  */
 final class ReferenceSensors {
 

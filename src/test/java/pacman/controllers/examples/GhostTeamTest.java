@@ -13,7 +13,7 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Rules of the example teams that whole games seldom show: spec/controllers.md, sections 5.1 and 5.3. */
+/** Rules of the example teams that whole games seldom show: docs/specification/controllers.md, sections 5.1 and 5.3. */
 @Timeout(60)
 class GhostTeamTest {
 

@@ -51,7 +51,10 @@ class MazePathsTest {
         return path.stream().mapToInt(Integer::intValue).toArray();
     }
 
-    /** Nodes, Ms. Pac-Man's start, ghost start, pills, junctions, largest distance; spec/simulator.md, section 1.3. */
+    /**
+     * Nodes, Ms. Pac-Man's start, ghost start, pills, junctions, largest distance; docs/specification/simulator.md,
+     * section 1.3.
+     */
     @ParameterizedTest
     @CsvSource({
         "0, a, 1293, 978, 498, 220, 38, 196, 44",
@@ -86,7 +89,7 @@ class MazePathsTest {
         assertThat(near).isEqualTo(pillsNearPowerPills);
     }
 
-    /** Undirected paths that are longer than they need be; spec/simulator.md, section 4.4. */
+    /** Undirected paths that are longer than they need be; docs/specification/simulator.md, section 4.4. */
     @ParameterizedTest
     @CsvSource({"0, 1004", "1, 236", "2, 3624", "3, 12"})
     void undirectedPaths_areAsInexactAsTheOriginals(int maze, int expected) {

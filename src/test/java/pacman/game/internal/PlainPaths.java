@@ -9,7 +9,10 @@ import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Set;
 
-/** Paths as spec/simulator.md, sections 4.3 and 4.4, tells them: with lists, maps and searches instead of tables. */
+/**
+ * Paths as docs/specification/simulator.md, sections 4.3 and 4.4, tells them: with lists, maps and searches instead of
+ * tables.
+ */
 final class PlainPaths {
 
     private static final int NONE = 4;
