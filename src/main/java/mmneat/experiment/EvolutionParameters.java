@@ -49,7 +49,16 @@ record EvolutionParameters(
         double freezeAlternateRate,
         int disabledMode) {
 
+    /**
+     * The settings for a task.
+     *
+     * @throws UserError if the parameters do not go with the task
+     */
     EvolutionSettings settings(Task task) {
+        if (fs && fsLinksPerOut > task.inputs()) {
+            throw new UserError("fsLinksPerOut=" + fsLinksPerOut + ": the networks have " + task.inputs()
+                    + " inputs; give at most as many");
+        }
         InputSelection selection = new InputSelection(fs, fsLinksPerOut);
         ActivationFunction activation = ActivationFunction.ofCode(ftype);
         return new EvolutionSettings(

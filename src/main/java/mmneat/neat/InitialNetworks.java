@@ -1,7 +1,6 @@
 package mmneat.neat;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import mmneat.random.ResumableRandom;
@@ -23,7 +22,7 @@ public record InitialNetworks(
     /**
      * Checked settings.
      *
-     * @throws IllegalArgumentException if there is no input
+     * @throws IllegalArgumentException if there is no input, or a policy neuron is to be linked to more inputs than there are
      * @throws NullPointerException if a part is missing; the message names it
      */
     public InitialNetworks {
@@ -33,6 +32,10 @@ public record InitialNetworks(
         Objects.requireNonNull(layout, "layout");
         Objects.requireNonNull(selection, "selection");
         Objects.requireNonNull(activation, "activation");
+        if (selection.linksInto(inputs) > inputs) {
+            throw new IllegalArgumentException(
+                    "a policy neuron cannot be linked to " + selection.linksPerOutput() + " of " + inputs + " inputs");
+        }
     }
 
     /** Networks as in the published experiments: every input linked to every policy neuron, tanh everywhere. */
@@ -81,15 +84,16 @@ public record InitialNetworks(
         return population;
     }
 
-    /** The inputs linked to an output, in increasing order. */
+    /**
+     * The inputs linked to an output, in the order in which their weights are drawn: a selection keeps the order of its
+     * shuffle. Source: spec/original-options.md, section 2.1.
+     */
     private int[] sourcesOf(int output, ResumableRandom random) {
         if (layout.isPreference(output)) {
             return Draws.distinct(1, inputs, random);
         }
         if (selection.isSelective()) {
-            int[] sources = Draws.distinct(selection.linksInto(inputs), inputs, random);
-            Arrays.sort(sources);
-            return sources;
+            return Draws.distinct(selection.linksInto(inputs), inputs, random);
         }
         int[] sources = new int[inputs];
         for (int i = 0; i < inputs; i++) {

@@ -24,6 +24,6 @@ public record InputSelection(boolean isSelective, int linksPerOutput) {
 
     /** Links into one policy neuron of a network with so many inputs. */
     int linksInto(int inputs) {
-        return isSelective ? Math.min(linksPerOutput, inputs) : inputs;
+        return isSelective ? linksPerOutput : inputs;
     }
 }
