@@ -5,8 +5,7 @@ import java.io.PrintWriter;
 /** What stands on the screen when the program is started without a word: the few commands that a newcomer needs. */
 final class FirstPage {
 
-    private static final String TEXT =
-            """
+    private static final String TEXT = """
             MM-NEAT evolves modular neural networks that play Ms. Pac-Man.
 
               java -jar mmneat.jar task=blended runs=2 mu=10 maxGens=20 trials=2   a first look, a minute or so

@@ -79,7 +79,10 @@ public final class ParameterCatalogue {
     private record Row(
             String name,
             String type,
-            @com.fasterxml.jackson.annotation.JsonProperty("default") String defaultValue,
+
+            @com.fasterxml.jackson.annotation.JsonProperty("default")
+            String defaultValue,
+
             String support,
             String allowed,
             String group,

@@ -224,13 +224,10 @@ class RunLockTest {
 
     private Path writeLock(String machine, long pid, Instant processStart) throws IOException {
         Path lock = folder.resolve("lock.json");
-        Files.writeString(
-                lock,
-                """
+        Files.writeString(lock, """
                 {"host": "far", "pid": %d, "since": "2026-01-01T00:00:00Z", "processStart": "%s", "machine": "%s",
                  "token": "another"}
-                """
-                        .formatted(pid, processStart, machine));
+                """.formatted(pid, processStart, machine));
         return lock;
     }
 }

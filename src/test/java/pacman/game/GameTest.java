@@ -24,16 +24,14 @@ class GameTest {
 
     private static final MOVE[] MOVES = MOVE.values();
 
-    private static final String DRAWING_WITHOUT_POWER_PILLS =
-            """
+    private static final String DRAWING_WITHOUT_POWER_PILLS = """
             ############################
             #............G.............#
             #.##########.##.##########.#
             #.##########.##.##########.#
             #............P.............#
             #############L##############
-            """
-                    + "############################\n".repeat(23);
+            """ + "############################\n".repeat(23);
 
     /** A random step: moves of all kinds, ghosts that come after her. */
     private static void play(Game game, ResumableRandom random) {

@@ -11,8 +11,7 @@ import java.util.stream.Collectors;
  */
 public final class CondorSubmitFile {
 
-    private static final String SUBMIT_FILE =
-            """
+    private static final String SUBMIT_FILE = """
             # %1$s: one job per run. Written by "mmneat submit"; submit it with
             #   condor_submit %2$s
             universe                = vanilla

@@ -18,8 +18,7 @@ public final class SlurmScript {
     /** Index of the task plus this environment variable is the run: arrays may be split. */
     private static final String OFFSET = "MMNEAT_FIRST_RUN";
 
-    private static final String SCRIPT =
-            """
+    private static final String SCRIPT = """
             #!/bin/bash
             # %1$s: one task per run. Written by "mmneat submit"; read it, edit it, submit it by hand with
             #   sbatch --array=%2$s %3$s

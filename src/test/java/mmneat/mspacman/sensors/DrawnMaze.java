@@ -8,8 +8,7 @@ import pacman.game.internal.MazeTables;
  */
 final class DrawnMaze {
 
-    private static final String DRAWING =
-            """
+    private static final String DRAWING = """
             #......##....o.....##......#
             #o####.##.##.#####.##.####o#
             #.####.##.##.#####.##.####.#

@@ -58,10 +58,7 @@ class GenotypeJsonTest {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
                     "version" : 1               | "version" : 2                | version: this program reads version 1, the file has 2
                     "mmneat-genotype"           | "neat-python"                | format: must be "mmneat-genotype", is "neat-python"
                     "inputs" : 3                | "inputs" : "3"               | inputs: must be a whole number

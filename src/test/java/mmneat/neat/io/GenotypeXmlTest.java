@@ -85,10 +85,7 @@ class GenotypeXmlTest {
     }
 
     @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            textBlock =
-                    """
+    @CsvSource(delimiter = '|', textBlock = """
                     name="numIn" type="int" value="3"      | name="numIn" type="int" value="three"   | numIn: must be a whole number, is "three"
                     name="numIn" type="int" value="3"      | name="numIn" type="int" value="4"       | nodes: 7 are too few for 4 inputs and 4 outputs
                     name="numIn"                           | name="inputs"                           | unknown field inputs
