@@ -12,13 +12,17 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 
-/** Selection of 100 survivors out of 200 individuals with two objectives. */
+/** Selection of the better half of a population. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.SampleTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class SelectionBenchmark {
 
-    /** Many fronts of similar size, or one chain of 200 fronts. */
+    /** Individuals x objectives. */
+    @Param({"200x2", "1000x3", "2000x2", "10000x2"})
+    String size;
+
+    /** Independent random scores, or one chain in which every front has one member. */
     @Param({"scattered", "chain"})
     String shape;
 
@@ -27,7 +31,8 @@ public class SelectionBenchmark {
     @Setup
     public void makeScores() {
         ResumableRandom random = new ResumableRandom(1);
-        scores = new double[200][2];
+        String[] sizes = size.split("x");
+        scores = new double[Integer.parseInt(sizes[0])][Integer.parseInt(sizes[1])];
         for (int i = 0; i < scores.length; i++) {
             int rank = i;
             Arrays.setAll(scores[i], j -> shape.equals("chain") ? rank : random.nextInt(1000) / 10.0);
@@ -36,6 +41,6 @@ public class SelectionBenchmark {
 
     @Benchmark
     public int[] survivors() {
-        return SurvivorSelection.survivors(scores, 100, Crowding.WHOLE_POPULATION);
+        return SurvivorSelection.survivors(scores, scores.length / 2, Crowding.WHOLE_POPULATION);
     }
 }

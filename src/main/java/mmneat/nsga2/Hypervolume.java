@@ -49,14 +49,14 @@ public final class Hypervolume {
     }
 
     /**
-     * How many of the vectors are dominated by none; duplicates count each.
+     * Number of vectors that no other vector dominates; each duplicate counts.
      *
      * @throws IllegalArgumentException if the vectors differ in length or a score is not finite
      */
     public static int frontSize(double[][] scores) {
         NondominatedSorting.requireComparable(scores);
-        return (int) Arrays.stream(scores)
-                .filter(score -> Arrays.stream(scores).noneMatch(other -> Dominance.dominatesUnchecked(other, score)))
+        return (int) Arrays.stream(NondominatedRanks.of(scores))
+                .filter(rank -> rank == 0)
                 .count();
     }
 

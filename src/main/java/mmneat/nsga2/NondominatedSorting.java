@@ -1,12 +1,11 @@
 package mmneat.nsga2;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 
 /**
- * A population sorted into fronts, with crowding distances. Individuals are named by their index in the score array.
+ * A population sorted into nondominated fronts, with crowding distances. An individual is named by its index in the scores.
  *
  * <p>Source: Deb et al. 2002, section III; docs/specification/evolution.md, sections 2.2 and 2.3.
  */
@@ -28,7 +27,7 @@ public final class NondominatedSorting {
      * Sorts a population.
      *
      * @param scores {@code scores[individual][objective]}, all maximised, all of one length
-     * @param crowding among whom the crowding distance is measured
+     * @param crowding the individuals among which the crowding distance is measured
      * @throws IllegalArgumentException if score vectors differ in length or a score is not finite
      * @throws NullPointerException if the crowding is missing
      */
@@ -38,50 +37,22 @@ public final class NondominatedSorting {
         return crowding.sort(scores);
     }
 
-    /*
-     * Fast nondominated sorting: each pair is compared once, and who is dominated by none but members of earlier fronts makes
-     * up the next. Within a front the members stand as in `order`.
-     */
+    /** Sorts a population into fronts; within a front, individuals keep their places in {@code order}. */
     static NondominatedSorting of(double[][] scores, int[] order, double[] crowding) {
-        int size = scores.length;
-        boolean[][] dominates = new boolean[size][size];
-        int[] dominators = new int[size];
-        for (int a = 0; a < size; a++) {
-            for (int b = 0; b < size; b++) {
-                if (Dominance.dominatesUnchecked(scores[a], scores[b])) {
-                    dominates[a][b] = true;
-                    dominators[b]++;
-                }
-            }
+        int[] rank = NondominatedRanks.of(scores);
+        int fronts = Arrays.stream(rank).max().orElse(-1) + 1;
+        int[] size = new int[fronts];
+        for (int ofIndividual : rank) {
+            size[ofIndividual]++;
         }
-        int[] rank = new int[size];
-        List<int[]> fronts = new ArrayList<>();
-        int[] remaining = order;
-        while (remaining.length > 0) {
-            int[] front = withDominators(remaining, dominators, true);
-            remaining = withDominators(remaining, dominators, false);
-            for (int member : front) {
-                rank[member] = fronts.size();
-                for (int other : remaining) {
-                    if (dominates[member][other]) {
-                        dominators[other]--;
-                    }
-                }
-            }
-            fronts.add(front);
+        int[][] members = new int[fronts][];
+        Arrays.setAll(members, front -> new int[size[front]]);
+        int[] filled = new int[fronts];
+        for (int individual : order) {
+            int front = rank[individual];
+            members[front][filled[front]++] = individual;
         }
-        return new NondominatedSorting(order, fronts, rank, crowding);
-    }
-
-    private static int[] withDominators(int[] individuals, int[] dominators, boolean none) {
-        int[] chosen = new int[individuals.length];
-        int count = 0;
-        for (int individual : individuals) {
-            if (dominators[individual] == 0 == none) {
-                chosen[count++] = individual;
-            }
-        }
-        return Arrays.copyOf(chosen, count);
+        return new NondominatedSorting(order, Arrays.asList(members), rank, crowding);
     }
 
     /** Refuses score vectors of different lengths, and scores that are not finite. */
@@ -106,7 +77,7 @@ public final class NondominatedSorting {
     }
 
     /**
-     * The individual at a position of the order in which the population is left by the crowding computation.
+     * The individual at a position of the order that the computation of the crowding distance leaves behind.
      *
      * @throws IndexOutOfBoundsException if there is no such position
      */
@@ -119,7 +90,7 @@ public final class NondominatedSorting {
         return fronts.stream().map(int[]::clone).toList();
     }
 
-    /** The fronts themselves, for selection, which leaves them as they are. */
+    /** The fronts themselves, not copies; selection does not change them. */
     List<int[]> sharedFronts() {
         return fronts;
     }

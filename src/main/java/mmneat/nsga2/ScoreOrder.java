@@ -1,14 +1,13 @@
 package mmneat.nsga2;
 
 import java.util.Arrays;
-import java.util.Comparator;
 
-/** Stable sorting of individuals (indices) by a value. */
+/** Stable sorting of individuals, named by their indices, by a number. */
 final class ScoreOrder {
 
     private ScoreOrder() {}
 
-    /** A value of each individual, for example one objective's score. */
+    /** A number for each individual, for example its score in one objective. */
     interface Value {
         double of(int individual);
     }
@@ -21,15 +20,57 @@ final class ScoreOrder {
     }
 
     /**
-     * {@code order} sorted ascending by {@code value}; equal values keep their places. Two infinite crowding distances are equal,
+     * Sorts {@code order} ascending by {@code value}; equal values keep their order. Two infinite crowding distances are equal,
      * and so are the two zeros.
+     *
+     * @param value a number for each individual, never NaN
      */
     static int[] ascending(int[] order, Value value) {
-        Comparator<Integer> byValue = (a, b) -> {
-            double first = value.of(a);
-            double second = value.of(b);
-            return first < second ? -1 : first > second ? 1 : 0;
-        };
-        return Arrays.stream(order).boxed().sorted(byValue).mapToInt(i -> i).toArray();
+        double[] values = new double[order.length];
+        Arrays.setAll(values, i -> value.of(order[i]) + 0.0);
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        int[] result = new int[order.length];
+        int[] taken = new int[order.length];
+        for (int i = 0; i < order.length; i++) {
+            int first = firstPosition(sorted, values[i]);
+            result[first + taken[first]++] = order[i];
+        }
+        return result;
+    }
+
+    /** The first index at which {@code value}, which is there, stands in the ascending array. */
+    static int firstPosition(double[] sorted, double value) {
+        int low = 0;
+        int high = sorted.length;
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (sorted[middle] < value) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    /**
+     * Sorts {@code order} ascending by small integers; equal ones keep their order.
+     *
+     * @param position of each individual, from 0 to {@code position.length - 1}
+     */
+    static int[] byPosition(int[] order, int[] position) {
+        int[] end = new int[position.length + 1];
+        for (int individual : order) {
+            end[position[individual] + 1]++;
+        }
+        for (int i = 1; i < end.length; i++) {
+            end[i] += end[i - 1];
+        }
+        int[] result = new int[order.length];
+        for (int individual : order) {
+            result[end[position[individual]]++] = individual;
+        }
+        return result;
     }
 }
