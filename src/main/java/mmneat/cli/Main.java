@@ -23,6 +23,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /**
@@ -81,9 +82,31 @@ public final class Main implements Callable<Integer> {
         CommandLine main = new CommandLine(new Main());
         main.setExecutionExceptionHandler((failure, line, parsed) -> report(failure, line));
         main.setParameterExceptionHandler((mistake, arguments) -> report(mistake));
+        main.setExecutionStrategy(Main::checkAndRun);
+        OptionValues.register(main);
+        main.setUnmatchedOptionsArePositionalParams(true);
+        main.setPosixClusteredShortOptionsAllowed(false);
+        main.setExpandAtFiles(false);
+        for (CommandLine each : main.getSubcommands().values()) {
+            if (each.getCommand() instanceof ConsoleCommand) {
+                each.getCommandSpec().preprocessor(new ArgumentSyntax());
+            }
+        }
         listWords(main);
         main.getSubcommands().values().forEach(Main::listWords);
         return main;
+    }
+
+    private static int checkAndRun(ParseResult parsed) {
+        ParseResult command = parsed.hasSubcommand() ? parsed.subcommand() : parsed;
+        if (!command.isUsageHelpRequested() && !command.isVersionHelpRequested()) {
+            try {
+                OptionValues.check(command);
+            } catch (UserError e) {
+                throw new ParameterException(command.commandSpec().commandLine(), e.getMessage(), e);
+            }
+        }
+        return new CommandLine.RunLast().execute(parsed);
     }
 
     /** Without a command: the main job; without any word: the few commands that a newcomer needs. */
@@ -140,9 +163,10 @@ public final class Main implements Callable<Integer> {
 
     private static int report(ParameterException mistake) {
         CommandLine line = mistake.getCommandLine();
-        line.getErr()
-                .println("mmneat: " + mistake.getMessage() + "; see "
-                        + line.getCommandSpec().qualifiedName() + " --help");
+        String help = "; see " + line.getCommandSpec().qualifiedName() + " --help";
+        String message =
+                OptionValues.refusal(mistake).map(UserError::getMessage).orElseGet(() -> mistake.getMessage() + help);
+        line.getErr().println("mmneat: " + message);
         line.getErr().flush();
         return ExitCode.USAGE;
     }

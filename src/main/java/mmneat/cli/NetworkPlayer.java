@@ -43,7 +43,7 @@ final class NetworkPlayer {
         }
         String version = name.substring(SHIPPED.length());
         if (!ShippedChampions.versions().contains(version)) {
-            throw Words.badValue(
+            throw OptionValues.badValue(
                     "pacman", name, SHIPPED + " and one of " + String.join(", ", ShippedChampions.versions()));
         }
         return ShippedChampions.read(version);

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
@@ -26,6 +27,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
 /**
  * Plays games between two controllers and prints what they scored.
@@ -43,7 +46,7 @@ import picocli.CommandLine.Command;
             "Example: mmneat play classpath=entry.jar pacman=my.Entry view=true",
             "",
         })
-final class PlayCommand extends WordCommand implements Runnable {
+final class PlayCommand extends ConsoleCommand implements Runnable {
 
     private static final String HUMAN = "Human";
     private static final Set<String> NAMES_OF_THE_HUMAN =
@@ -52,41 +55,75 @@ final class PlayCommand extends WordCommand implements Runnable {
     private static final int LAST_LOOK_MILLISECONDS = 2000;
     private static final long STALL_MILLISECONDS = 10_000;
 
-    @Override
-    List<Word> knownWords() {
-        List<Word> own = List.of(
-                new Word(
-                        "pacman",
-                        "StarterPacMan",
-                        "class of Ms. Pac-Man's controller, the folder of a run or a file with an evolved network (its"
-                                + " champion.json), champion:blended|interleaved|isolated for one that comes with the"
-                                + " program, or "
-                                + HUMAN
-                                + " with view=true"),
-                new Word(
-                        "division",
-                        "AnyPills",
-                        "division of the task for a multitask network (default: that of full games)"),
-                new Word("ghosts", "Legacy", "class of the ghosts' controller"),
-                new Word(
-                        "classpath",
-                        "FILE",
-                        "jars and class folders of outside controllers, separated by " + File.pathSeparator),
-                new Word("games", "1", "number of games (default 1)"),
-                new Word("seed", "0", "seed of the games' seeds (default 0)"),
-                new Word(
-                        "timed",
-                        "true",
-                        "controllers get 40 ms per step, in threads of their own (default false: as long as they take)"),
-                new Word("view", "true", "shows the games in a window, 40 ms per step (default false)"),
-                new Word("record", "FILE", "writes a recording of the game, for the command replay"));
-        return Stream.concat(own.stream(), GameWords.KNOWN.stream()).toList();
-    }
+    @Option(
+            names = "pacman",
+            paramLabel = "CLASS|FILE",
+            defaultValue = "StarterPacMan",
+            description = "Controller of Ms. Pac-Man: a class; the folder of a run or a file with an evolved network"
+                    + " (champion.json); champion:blended, champion:interleaved or champion:isolated for a network that"
+                    + " comes with the program; or " + HUMAN + " with view=true (default: ${DEFAULT-VALUE}).")
+    private String pacMan;
+
+    @Option(
+            names = "division",
+            paramLabel = "NAME",
+            description =
+                    "Division of the task for a multitask network, such as AnyPills (default: that of full games).")
+    private String division;
+
+    @Option(
+            names = "ghosts",
+            paramLabel = "CLASS",
+            defaultValue = "Legacy",
+            description = "Class of the ghosts' controller (default: ${DEFAULT-VALUE}).")
+    private String ghosts;
+
+    @Option(
+            names = "classpath",
+            paramLabel = "PATH",
+            description = "Jars and class folders of outside controllers, separated by ${sys:path.separator}")
+    private String classPath;
+
+    @Option(names = "games", paramLabel = "N", defaultValue = "1", description = "Games (default: ${DEFAULT-VALUE}).")
+    @Range(min = 1)
+    private int games;
+
+    @Option(
+            names = "seed",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "Seed of the games' seeds (default: ${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Option(
+            names = "timed",
+            paramLabel = "true|false",
+            arity = "1",
+            defaultValue = "false",
+            description = "Controllers get 40 ms per step, in threads of their own; otherwise as long as they take"
+                    + " (default: ${DEFAULT-VALUE}).")
+    private boolean timed;
+
+    @Option(
+            names = "view",
+            paramLabel = "true|false",
+            arity = "1",
+            defaultValue = "false",
+            description = "Shows the games in a window, 40 ms per step (default: ${DEFAULT-VALUE}).")
+    private boolean view;
+
+    @Option(
+            names = "record",
+            paramLabel = "FILE",
+            description = "Writes a recording of the game, for the command replay.")
+    private Path record;
+
+    @Mixin
+    private GameOptions game;
 
     @Override
     public void run() {
-        Words words = words(0);
-        new Contest(words, out(), notes()).play();
+        new Contest(this).play();
     }
 
     /** The games of one command. */
@@ -118,44 +155,43 @@ final class PlayCommand extends WordCommand implements Runnable {
         /** Number of the game that is played. */
         private volatile int playing;
 
-        Contest(Words words, PrintWriter out, PrintWriter notes) {
-            this.out = out;
-            this.notes = notes;
-            rules = GameWords.rules(words, GameRules.competition());
-            rulesName = GameWords.name(words);
-            games = words.integer("games", 1, 1, Integer.MAX_VALUE);
-            seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
-            timed = words.flag("timed", false);
-            boolean wantsView = words.flag("view", false);
-            view = wantsView && Display.isThere();
-            if (wantsView && !view) {
+        Contest(PlayCommand options) {
+            out = options.out();
+            notes = options.notes();
+            rules = options.game.rules(GameRules.competition());
+            rulesName = options.game.name();
+            games = options.games;
+            seed = options.seed;
+            timed = options.timed;
+            view = options.view && Display.isThere();
+            if (options.view && !view) {
                 notes.println("mmneat: there is no display, so the games are not shown");
             }
-            recording = words.path("record").orElse(null);
-            ControllerLoader loader = new ControllerLoader(classPath(words));
-            String player = words.text("pacman", "StarterPacMan");
+            recording = options.record;
+            ControllerLoader loader = new ControllerLoader(classPath(options.classPath));
+            String player = options.pacMan;
             boolean human = NAMES_OF_THE_HUMAN.contains(player);
             if (human && !view) {
                 throw new UserError("pacman=" + player + " needs view=true and a display");
             }
-            words.requireEffect("division", !human && NetworkPlayer.isNetwork(player), "it is for a network");
+            options.requireEffect("division", !human && NetworkPlayer.isNetwork(player), "it is for a network");
             if (human) {
                 pacMan = null;
                 pacManName = HUMAN;
             } else if (NetworkPlayer.isNetwork(player)) {
-                pacMan = NetworkPlayer.read(player, words.text("division"), seed);
+                pacMan = NetworkPlayer.read(player, Optional.ofNullable(options.division), seed);
                 pacManName = player;
             } else {
                 ControllerFactory<MOVE> factory = loader.pacMan(player);
                 pacMan = factory::create;
                 pacManName = factory.name();
             }
-            ghosts = loader.ghosts(words.text("ghosts", "Legacy"));
+            ghosts = loader.ghosts(options.ghosts);
             requireRecordable();
         }
 
-        private static List<Path> classPath(Words words) {
-            return words.text("classpath").stream()
+        private static List<Path> classPath(String classPath) {
+            return Stream.ofNullable(classPath)
                     .flatMap(text -> Stream.of(text.split(File.pathSeparator)))
                     .filter(place -> !place.isBlank())
                     .map(Path::of)

@@ -2,8 +2,6 @@ package mmneat.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.stream.Stream;
 import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import pacman.Executor;
@@ -12,6 +10,9 @@ import pacman.game.Constants;
 import pacman.game.Game;
 import pacman.game.GameRules;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Shows a recorded game. */
 @Command(
@@ -23,41 +24,51 @@ import picocli.CommandLine.Command;
             "Example: mmneat replay game.txt delay=10",
             "",
         })
-final class ReplayCommand extends WordCommand implements Runnable {
+final class ReplayCommand extends ConsoleCommand implements Runnable {
 
     private static final int LONGEST_DELAY_MILLISECONDS = 60_000;
 
-    @Override
-    List<Word> knownWords() {
-        List<Word> own = List.of(
-                new Word("delay", "40", "milliseconds per step (default 40)"),
-                new Word("view", "false", "only checks the recording and tells how it ended (default true)"));
-        return Stream.concat(own.stream(), GameWords.KNOWN.stream()).toList();
-    }
+    @Parameters(arity = "0..1", paramLabel = "FILE", description = "The recording.")
+    private Path file;
+
+    @Option(
+            names = "delay",
+            paramLabel = "MS",
+            defaultValue = "" + Constants.DELAY,
+            description = "Milliseconds per step (default: ${DEFAULT-VALUE}).")
+    @Range(min = 0, max = LONGEST_DELAY_MILLISECONDS)
+    private int delay;
+
+    @Option(
+            names = "view",
+            paramLabel = "true|false",
+            arity = "1",
+            defaultValue = "true",
+            description = "false only checks the recording and prints how the game ended (default: ${DEFAULT-VALUE}).")
+    private boolean wantsView;
+
+    @Mixin
+    private GameOptions game;
 
     @Override
     public void run() {
-        Words words = words(1);
-        if (words.plain().isEmpty()) {
+        if (file == null) {
             throw new UserError("the recording is missing; write replay FILE");
         }
-        Path file = Path.of(words.plain().get(0));
-        int delay = words.integer("delay", Constants.DELAY, 0, LONGEST_DELAY_MILLISECONDS);
-        boolean wantsView = words.flag("view", true);
         boolean view = wantsView && Display.isThere();
         Recording recording = load(file);
         if (wantsView && !view) {
             notes().println("mmneat: there is no display, so the game is not shown");
         }
-        GameRules rules = GameWords.rules(words, recording.rules());
+        GameRules rules = game.rules(recording.rules());
         try {
-            Game game = new Executor().replayGame(recording, rules, view, view ? delay : 0);
-            boolean isWon = game.getCurrentLevel() >= rules.maximumLevel();
-            out().println(recording.states().size() + " states: score " + game.getScore() + ", "
-                    + (isWon ? "all " + rules.maximumLevel() + " levels" : "level " + (game.getCurrentLevel() + 1))
-                    + ", time " + game.getTotalTime() + ", lives " + game.getPacmanNumberOfLivesRemaining());
+            Game replayed = new Executor().replayGame(recording, rules, view, view ? delay : 0);
+            boolean isWon = replayed.getCurrentLevel() >= rules.maximumLevel();
+            out().println(recording.states().size() + " states: score " + replayed.getScore() + ", "
+                    + (isWon ? "all " + rules.maximumLevel() + " levels" : "level " + (replayed.getCurrentLevel() + 1))
+                    + ", time " + replayed.getTotalTime() + ", lives " + replayed.getPacmanNumberOfLivesRemaining());
         } catch (IllegalArgumentException e) {
-            String hint = words.has("maze") ? "" : "; a game in a maze of your own needs the same maze=FILE";
+            String hint = game.hasMaze() ? "" : "; a game in a maze of your own needs the same maze=FILE";
             throw new UserError(file + ": " + e.getMessage() + hint, e);
         }
     }

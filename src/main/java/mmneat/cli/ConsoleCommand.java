@@ -1,0 +1,65 @@
+package mmneat.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import mmneat.experiment.UserError;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** A command with access to the console and to the options that were given. */
+@Command(mixinStandardHelpOptions = true, sortOptions = false)
+abstract class ConsoleCommand {
+
+    @Spec
+    private CommandSpec command;
+
+    /** Writer for results. */
+    final PrintWriter out() {
+        return command.commandLine().getOut();
+    }
+
+    /** Writer for remarks and progress. */
+    final PrintWriter notes() {
+        return command.commandLine().getErr();
+    }
+
+    /** Whether the option was given on the command line. */
+    final boolean isGiven(String option) {
+        return isGiven(command, option);
+    }
+
+    /** Whether the option was given to this command. */
+    static boolean isGiven(CommandSpec command, String option) {
+        return command.commandLine().getParseResult().hasMatchedOption(option);
+    }
+
+    /** Refuses an option where it has no effect; see {@link #requireEffect(CommandSpec, String, boolean, String)}. */
+    final void requireEffect(String option, boolean hasEffect, String reason) {
+        requireEffect(command, option, hasEffect, reason);
+    }
+
+    /**
+     * Refuses an option where it has no effect.
+     *
+     * @param hasEffect whether it has one
+     * @param reason what the option needs, for the message
+     * @throws UserError if the option was given and has no effect
+     */
+    static void requireEffect(CommandSpec command, String option, boolean hasEffect, String reason) {
+        if (!hasEffect && isGiven(command, option)) {
+            String value = command.findOption(option).originalStringValues().get(0);
+            throw new UserError(option + "=" + value + " has no effect here: " + reason + "; leave it out");
+        }
+    }
+
+    /** The folders that name experiments; at least one. */
+    final List<Path> requireExperiments(List<Path> experiments) {
+        if (experiments == null || experiments.isEmpty()) {
+            throw new UserError(
+                    "no experiment is given; write mmneat " + command.name() + " results/blended, for example");
+        }
+        return experiments;
+    }
+}

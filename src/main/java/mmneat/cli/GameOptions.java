@@ -1,0 +1,154 @@
+package mmneat.cli;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import mmneat.experiment.FileTrouble;
+import mmneat.experiment.UserError;
+import pacman.game.GameRules;
+import pacman.game.GhostLocations;
+import pacman.game.internal.MazeTables;
+import pacman.game.internal.Mazes;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The options that choose a game: its rules and mazes. */
+final class GameOptions {
+
+    private static final String DEFAULT_RULES = "competition";
+
+    private static final String ISOLATED_GHOSTS = "isolatedGhosts";
+
+    private static final List<String> MAZES = List.of("a", "b", "c", "d");
+
+    private static final class RuleNames extends ArrayList<String> {
+        RuleNames() {
+            super(List.of(
+                    DEFAULT_RULES,
+                    "blended",
+                    "interleaved",
+                    "isolatedPills",
+                    ISOLATED_GHOSTS,
+                    "mpmVsGhosts",
+                    "fourMaze",
+                    "mmneat"));
+        }
+    }
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    @Option(
+            names = "rules",
+            paramLabel = "RULES",
+            completionCandidates = RuleNames.class,
+            description = "One of ${COMPLETION-CANDIDATES} (default: those of the recording, or " + DEFAULT_RULES
+                    + ": release 6.2 of the competition of 2012).")
+    private String rules;
+
+    @Option(
+            names = "maze",
+            paramLabel = "FILE",
+            description = "Maze of all levels: a, b, c or d, or the file of a drawing.")
+    private Path maze;
+
+    @Option(
+            names = "ghostLocations",
+            paramLabel = "FILE",
+            description = "Recorded ghost locations for rules=" + ISOLATED_GHOSTS + " (default: ours).")
+    private Path ghostLocations;
+
+    @Option(
+            names = "powerPill",
+            paramLabel = "CORNER",
+            defaultValue = "0",
+            description = "Corner for rules=" + ISOLATED_GHOSTS + ", 0 to 3 (default: ${DEFAULT-VALUE}).")
+    @Range(min = 0, max = 3)
+    private int powerPill;
+
+    /** The rules that the options choose; {@code otherwise} applies if {@code rules=} is not given. */
+    GameRules rules(GameRules otherwise) {
+        for (String name : List.of("powerPill", "ghostLocations")) {
+            ConsoleCommand.requireEffect(
+                    command, name, name().equals(ISOLATED_GHOSTS), "it goes with rules=" + ISOLATED_GHOSTS);
+        }
+        GameRules chosen = rules == null ? otherwise : named(rules);
+        if (maze == null) {
+            return chosen;
+        }
+        if (chosen.ghostLocations() != null) {
+            return chosen.with().onlyMaze(recordedMaze(maze.toString())).build();
+        }
+        return chosen.with().mazes(mazes(maze)).build();
+    }
+
+    /** Recorded ghost locations belong to their mazes, which keep their numbers. */
+    private static int recordedMaze(String name) {
+        int index = MAZES.indexOf(name.toLowerCase(Locale.ROOT));
+        if (index < 0) {
+            throw OptionValues.badValue(
+                    "maze",
+                    name,
+                    "a, b, c or d with rules=" + ISOLATED_GHOSTS + ": ghost locations are recorded in these");
+        }
+        return index;
+    }
+
+    /** The name of the rules, for reports. */
+    String name() {
+        return rules == null ? DEFAULT_RULES : rules;
+    }
+
+    /** Whether all levels are played in a maze that the user chose. */
+    boolean hasMaze() {
+        return maze != null;
+    }
+
+    private GameRules named(String name) {
+        return switch (name) {
+            case DEFAULT_RULES -> GameRules.competition();
+            case "blended" -> GameRules.blended();
+            case "interleaved" -> GameRules.interleaved();
+            case "isolatedPills" -> GameRules.isolatedPills();
+            case ISOLATED_GHOSTS -> GameRules.isolatedGhosts(powerPill, ghostLocations());
+            case "mpmVsGhosts" -> GameRules.mpmVsGhosts();
+            case "fourMaze" -> GameRules.fourMaze();
+            case "mmneat" -> GameRules.mmneat();
+            default -> throw new IllegalStateException("rules without a preset: " + name);
+        };
+    }
+
+    private GhostLocations ghostLocations() {
+        if (ghostLocations == null) {
+            return GhostLocations.shipped();
+        }
+        Path file = ghostLocations;
+        try (Reader text = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
+            return GhostLocations.read(file.toString(), text);
+        } catch (IOException e) {
+            throw new UserError("ghostLocations: cannot read " + file + ": " + FileTrouble.reason(e), e);
+        } catch (IllegalArgumentException e) {
+            throw new UserError("ghostLocations: " + e.getMessage(), e);
+        }
+    }
+
+    private static Mazes mazes(Path file) {
+        String letter = file.toString().toLowerCase(Locale.ROOT);
+        if (MAZES.contains(letter)) {
+            return Mazes.of(List.of(Mazes.standard().get(MAZES.indexOf(letter))));
+        }
+        try {
+            return Mazes.of(List.of(MazeTables.read(file)));
+        } catch (IOException e) {
+            throw new UserError("maze: cannot read " + file + ": " + FileTrouble.reason(e), e);
+        } catch (IllegalArgumentException e) {
+            throw new UserError(e.getMessage(), e);
+        }
+    }
+}
