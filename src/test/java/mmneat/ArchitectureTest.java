@@ -12,6 +12,7 @@ import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
 import java.util.Set;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
@@ -48,6 +49,34 @@ class ArchitectureTest {
     void simulator_knowsOnlyTheGenerator() {
         ArchRule rule = packageUsesOnly("pacman..", new String[] {"pacman..", "mmneat.random.."});
         rule.check(OURS);
+    }
+
+    @Test
+    void mazes_knowNoGame() {
+        ArchRule rule = packageUsesOnly("pacman.maze..", new String[] {"pacman.maze.."});
+        rule.check(OURS);
+    }
+
+    /** The classes of 2012 that refer back to {@code pacman.game}: the competition published their signatures. */
+    private static final Set<String> COMPETITION_SHELLS = Set.of(
+            "pacman.game.internal.AStar",
+            "pacman.game.internal.Ghost",
+            "pacman.game.internal.Node",
+            "pacman.game.internal.PacMan",
+            "pacman.game.internal.PathsCache");
+
+    @Test
+    void simulator_hasNoCyclesOfPackages() {
+        SlicesRuleDefinition.slices()
+                .matching("(pacman..)")
+                .should()
+                .beFreeOfCycles()
+                .ignoreDependency(
+                        DescribedPredicate.describe(
+                                "are shells of the competition",
+                                origin -> COMPETITION_SHELLS.contains(origin.getName())),
+                        JavaClass.Predicates.resideInAPackage("pacman.game"))
+                .check(OURS);
     }
 
     @Test

@@ -14,8 +14,8 @@ import mmneat.neat.Reproduction;
 import mmneat.neat.VariationSettings;
 import mmneat.random.ResumableRandom;
 import pacman.game.GhostLocations;
-import pacman.game.internal.MazeGraph;
-import pacman.game.internal.Mazes;
+import pacman.maze.MazeGraph;
+import pacman.maze.Mazes;
 
 /** Networks and tasks for measuring whole evaluations. */
 final class EvaluationWorkload {

@@ -11,7 +11,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import pacman.game.Constants.MOVE;
-import pacman.game.internal.MazeTables;
+import pacman.maze.MazeTables;
 
 /**
  * From nothing to the first answers in all four mazes: drawings, graphs, distances, paths and what entries see of them. One

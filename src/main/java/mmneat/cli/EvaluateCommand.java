@@ -31,7 +31,7 @@ import picocli.CommandLine.Command;
         name = "evaluate",
         customSynopsis = "mmneat evaluate EXPERIMENT|FILE... [name=value...]",
         description = {
-            "Lets champions play many games on all cores: average score with its confidence interval, module use by situation,"
+            "Lets champions play many games on all cores: average score with its confidence interval, module use by observation,"
                     + " deaths by maze, and every game in a CSV in the run's folder.",
             "",
             "The result does not depend on the number of threads. An interrupted evaluation goes on when the command is given"

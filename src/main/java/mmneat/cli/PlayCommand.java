@@ -213,7 +213,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
 
         void play() {
             ResumableRandom seeds = new ResumableRandom(seed);
-            rules.mazes().prepare();
+            rules.prepareMazes();
             long start = System.nanoTime();
             long nextProgress = start + TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
             Thread ending = new Thread(this::reportEnd);

@@ -1,8 +1,8 @@
 package mmneat.mspacman;
 
 import mmneat.mspacman.modules.ModuleDivision;
-import mmneat.mspacman.sensors.Senses;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.NetworkInputs;
+import mmneat.mspacman.sensors.Observation;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.ModuleArbitration;
@@ -28,7 +28,7 @@ public final class DirectionEvaluator {
     private static final int DIRECTIONS = 4;
     private static final double WALL = -1;
 
-    private final Senses senses;
+    private final NetworkInputs sensors;
 
     /** Names the module of a step; null if networks choose their modules themselves. */
     private final ModuleDivision division;
@@ -47,18 +47,18 @@ public final class DirectionEvaluator {
     /**
      * A player with a network.
      *
-     * @param senses of this player alone
+     * @param sensors of this player alone
      * @param genotype with as many inputs as there are sensors and one policy neuron per module
      * @param arbitration how the network chooses among its modules
      * @param division names the module of each step; null if the network's preference neurons choose
      * @throws IllegalArgumentException if the genotype does not suit the sensors or the division
      */
     public DirectionEvaluator(
-            Senses senses, Genotype genotype, ModuleArbitration arbitration, ModuleDivision division) {
+            NetworkInputs sensors, Genotype genotype, ModuleArbitration arbitration, ModuleDivision division) {
         Network network = Network.compile(genotype);
-        if (network.inputs() != senses.suite().size()) {
+        if (network.inputs() != sensors.suite().size()) {
             throw new IllegalArgumentException("the network has " + network.inputs() + " inputs, but there are "
-                    + senses.suite().size() + " sensors");
+                    + sensors.suite().size() + " sensors");
         }
         if (network.layout().standardMultitask() && division == null) {
             throw new IllegalArgumentException(
@@ -68,7 +68,7 @@ public final class DirectionEvaluator {
             throw new IllegalArgumentException("the division of the task names " + division.modules()
                     + " modules, but the network has " + network.modules());
         }
-        this.senses = senses;
+        this.sensors = sensors;
         this.division = network.layout().standardMultitask() ? division : null;
         states = network.newStates(DIRECTIONS, arbitration);
         use = new ModuleUse(network.modules());
@@ -99,9 +99,9 @@ public final class DirectionEvaluator {
         if (game.levelTimeLeft() <= 0) {
             return END_GAME;
         }
-        senses.observe(game);
-        Situation state = senses.situation();
-        int situation = ModuleUse.situation(state.highestEdibleTime() > 0, state.isAtJunction());
+        sensors.observe(game);
+        Observation state = sensors.observation();
+        int observation = ModuleUse.observation(state.highestEdibleTime() > 0, state.isAtJunction());
         if (division != null) {
             states.presetModule(division.module(state));
         }
@@ -112,7 +112,7 @@ public final class DirectionEvaluator {
         }
         for (int d = 0; d < DIRECTIONS; d++) {
             if (wasOpen(d)) {
-                use.countNetwork(d, situation, states.get(d).lastModule());
+                use.countNetwork(d, observation, states.get(d).lastModule());
             }
         }
         int clear = states.clearlyHighest(open, 0);
@@ -121,30 +121,30 @@ public final class DirectionEvaluator {
         }
         // Quirk of the original: at a tie, the module counted may be that of a direction that is not taken.
         use.countDecision(
-                situation, states.get(preferredDirection(clear, random)).lastModule());
+                observation, states.get(preferredDirection(clear, random)).lastModule());
         return preferredDirection(clear, random);
     }
 
     /** The activations of input neurons are known from tables; those of all directions go through the network at once. */
-    private void activateTogether(Situation state, ResumableRandom random) {
+    private void activateTogether(Observation state, ResumableRandom random) {
         open = 0;
         for (int d = 0; d < DIRECTIONS; d++) {
             if (state.isOpen(d)) {
                 open |= 1 << d;
-                senses.sense(d);
+                sensors.sense(d);
             } else {
                 states.get(d).flush();
             }
         }
-        states.activate(open, senses.activations(), senses.suite().size(), random);
+        states.activate(open, sensors.activations(), sensors.suite().size(), random);
     }
 
-    private void activateOneByOne(Situation state, ResumableRandom random) {
+    private void activateOneByOne(Observation state, ResumableRandom random) {
         open = 0;
         for (int d = 0; d < DIRECTIONS; d++) {
             if (state.isOpen(d)) {
                 open |= 1 << d;
-                states.get(d).activate(senses.inputs(d), random);
+                states.get(d).activate(sensors.inputs(d), random);
             } else {
                 states.get(d).flush();
             }

@@ -3,7 +3,7 @@ package mmneat.mspacman;
 import java.util.Arrays;
 
 /**
- * How often output modules were used, by situation.
+ * How often output modules were used, by observation.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 9; the paper's figures of module use count the module of the
  * chosen direction.
@@ -31,7 +31,7 @@ public final class ModuleUse {
 
     private final int modules;
 
-    /** Uses of module m in situation s (two bits) by network n, at index (4 n + s) modules + m. */
+    /** Uses of module m in observation s (two bits) by network n, at index (4 n + s) modules + m. */
     private final int[] counts;
 
     private int decisions;
@@ -42,19 +42,19 @@ public final class ModuleUse {
         counts = new int[(DIRECTIONS + 1) * 4 * modules];
     }
 
-    static int situation(boolean edible, boolean atJunction) {
+    static int observation(boolean edible, boolean atJunction) {
         return (edible ? EDIBLE_BIT : 0) | (atJunction ? JUNCTION_BIT : 0);
     }
 
     /** The network of a direction used a module. */
-    void countNetwork(int direction, int situation, int module) {
-        counts[(4 * direction + situation) * modules + module]++;
+    void countNetwork(int direction, int observation, int module) {
+        counts[(4 * direction + observation) * modules + module]++;
     }
 
     /** A decision was made for a direction whose network last used a module. */
-    void countDecision(int situation, int module) {
+    void countDecision(int observation, int module) {
         decisions++;
-        counts[(4 * CHOSEN + situation) * modules + module]++;
+        counts[(4 * CHOSEN + observation) * modules + module]++;
     }
 
     void clear() {
@@ -94,9 +94,9 @@ public final class ModuleUse {
 
     private int[] sum(int network, When when) {
         int[] sum = new int[modules];
-        for (int situation = 0; situation < 4; situation++) {
-            boolean edible = (situation & EDIBLE_BIT) != 0;
-            boolean atJunction = (situation & JUNCTION_BIT) != 0;
+        for (int observation = 0; observation < 4; observation++) {
+            boolean edible = (observation & EDIBLE_BIT) != 0;
+            boolean atJunction = (observation & JUNCTION_BIT) != 0;
             boolean counts =
                     switch (when) {
                         case ALL -> true;
@@ -107,7 +107,7 @@ public final class ModuleUse {
                         case THREAT_AT_JUNCTION -> !edible && atJunction;
                     };
             for (int module = 0; module < modules && counts; module++) {
-                sum[module] += this.counts[(4 * network + situation) * modules + module];
+                sum[module] += this.counts[(4 * network + observation) * modules + module];
             }
         }
         return sum;

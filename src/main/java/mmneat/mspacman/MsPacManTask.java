@@ -8,7 +8,7 @@ import mmneat.evolution.Task;
 import mmneat.evolution.TrialStatistic;
 import mmneat.mspacman.objectives.GameScore;
 import mmneat.mspacman.objectives.RecordedScore;
-import mmneat.mspacman.sensors.Senses;
+import mmneat.mspacman.sensors.NetworkInputs;
 import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
@@ -31,7 +31,7 @@ public final class MsPacManTask implements Task {
 
     private final MsPacManTaskSettings settings;
     private final SensorSuite suite;
-    private final Senses senses;
+    private final NetworkInputs senses;
     private final List<TrialGame> games;
     private final List<GameScore> objectives = GameScore.publishedObjectives();
     private final List<RecordedScore> others;
@@ -47,7 +47,7 @@ public final class MsPacManTask implements Task {
     public MsPacManTask(MsPacManTaskSettings settings) {
         this.settings = settings;
         suite = SensorSuite.of(settings.sensors());
-        senses = suite.newSenses();
+        senses = suite.newInputs();
         games = TrialGame.of(settings.version(), settings.rules());
         others = RecordedScore.ofTheOriginal(settings.rules());
         ghosts = settings.ghosts().get();

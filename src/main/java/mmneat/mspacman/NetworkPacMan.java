@@ -41,7 +41,7 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
             ModuleArbitration arbitration,
             ModuleDivision division,
             long tieSeed) {
-        player = new DirectionEvaluator(SensorSuite.of(sensors).newSenses(), network, arbitration, division);
+        player = new DirectionEvaluator(SensorSuite.of(sensors).newInputs(), network, arbitration, division);
         ties = new ResumableRandom(tieSeed);
     }
 

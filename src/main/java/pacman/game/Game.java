@@ -10,9 +10,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
 import pacman.game.GameStep.Reversal;
 import pacman.game.internal.Maze;
-import pacman.game.internal.MazePoses;
-import pacman.game.internal.MazeTables;
-import pacman.game.internal.NodeMoves;
+import pacman.maze.MazePoses;
+import pacman.maze.MazeTables;
 import pacman.game.internal.PathsCache;
 
 /**
@@ -510,7 +509,7 @@ public final class Game {
 
     /** The maze as entries see it; shared, do not modify. */
     public Maze getCurrentMaze() {
-        return state.tables.maze();
+        return Maze.of(state.tables);
     }
 
     /**
@@ -523,7 +522,7 @@ public final class Game {
 
     /** The maze of {@link #shownMazeIndex}. */
     Maze shownMaze() {
-        return state.rules.mazes().get(shownMazeIndex()).maze();
+        return Maze.of(state.rules.mazes().get(shownMazeIndex()));
     }
 
     /** The maze as the engine sees it: graph, distances and paths on primitive arrays. */
@@ -591,7 +590,7 @@ public final class Game {
     }
 
     private NodeMoves moves() {
-        return state.tables.moves();
+        return NodeMoves.of(state.tables);
     }
 
     /** The node in a direction; -1 if there is none, also for NEUTRAL and null. */

@@ -1,7 +1,9 @@
 package pacman.game;
 
 import java.util.stream.IntStream;
-import pacman.game.internal.Mazes;
+import pacman.game.internal.Maze;
+import pacman.maze.MazeTables;
+import pacman.maze.Mazes;
 
 /**
  * What differs from one kind of game to another. Immutable; {@link #with()} makes changed copies.
@@ -95,6 +97,16 @@ public record GameRules(
                     "lairExitDatabase needs ghostLocations, which are recorded in the four mazes of the competition");
         }
         requirePowerPill(mazes, startingPowerPill);
+    }
+
+    /** Computes the tables of all mazes now; otherwise they are computed when the first game needs them. */
+    public void prepareMazes() {
+        for (int index = 0; index < mazes.count(); index++) {
+            MazeTables maze = mazes.get(index);
+            maze.prepare();
+            NodeMoves.of(maze);
+            Maze.of(maze);
+        }
     }
 
     private static void requireRange(String name, int value, int lowest, int highest) {

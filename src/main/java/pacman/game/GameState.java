@@ -7,9 +7,9 @@ import java.util.stream.IntStream;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.GHOST;
 import pacman.game.GameRules.Conventions;
-import pacman.game.internal.MazeGraph;
-import pacman.game.internal.MazePoses;
-import pacman.game.internal.MazeTables;
+import pacman.maze.MazeGraph;
+import pacman.maze.MazePoses;
+import pacman.maze.MazeTables;
 
 /**
  * The state of a game, in fields and small arrays, and the resets that start a life or a level. {@link GameStep} changes it

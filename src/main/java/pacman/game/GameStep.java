@@ -7,7 +7,7 @@ import static pacman.game.GameState.NO_MOVE;
 import static pacman.game.GameState.POSE;
 
 import pacman.game.GameRules.Conventions;
-import pacman.game.internal.MazePoses;
+import pacman.maze.MazePoses;
 
 /**
  * The rules of one game step, in the order in which {@link Game#advanceGame} applies them. Nothing here allocates, except when
@@ -400,10 +400,10 @@ final class GameStep {
             return state.graph.junctionNode(state.drawsOfTheRun().nextInt(state.graph.junctionCount()));
         }
         if (state.has(GameState.LAIR_EXIT_DATABASE)) {
-            int situation = state.drawsOfTheRun().nextInt(GhostLocations.SITUATIONS);
+            int observation = state.drawsOfTheRun().nextInt(GhostLocations.SITUATIONS);
             return state.rules
                     .ghostLocations()
-                    .node(state.mazeIndex, state.rules.startingPowerPill(), situation, ghost);
+                    .node(state.mazeIndex, state.rules.startingPowerPill(), observation, ghost);
         }
         return state.graph.ghostStart();
     }

@@ -8,13 +8,13 @@ import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import pacman.game.internal.Mazes;
+import pacman.maze.Mazes;
 
 /**
  * Recorded places of the four ghosts at moments when a power pill was eaten: where they appear in the ghost-eating game of
  * the isolated task. Immutable.
  *
- * <p>The text has one situation per line, six whitespace-separated integers: maze, power pill, and the nodes of Blinky, Pinky,
+ * <p>The text has one observation per line, six whitespace-separated integers: maze, power pill, and the nodes of Blinky, Pinky,
  * Inky and Sue. The first {@value #SITUATIONS} lines of each maze and power pill count. Every line is checked.
  *
  * <p>Source: docs/specification/simulator.md, section 7 (database file).
@@ -30,7 +30,7 @@ public final class GhostLocations {
     /** Our own recording, of games of a champion that this program evolved; docs/champions.md tells how it was made. */
     private static final String SHIPPED = "ghost-locations.txt";
 
-    /** Nodes, index ((maze 4 + power pill) 100 + situation) 4 + ghost. */
+    /** Nodes, index ((maze 4 + power pill) 100 + observation) 4 + ghost. */
     private final short[] nodes;
 
     private GhostLocations(short[] nodes) {
@@ -126,8 +126,8 @@ public final class GhostLocations {
     }
 
     /** Node of a ghost in one of the {@value #SITUATIONS} situations of a maze and a power pill. */
-    int node(int maze, int powerPill, int situation, int ghost) {
-        return nodes[((maze * POWER_PILLS + powerPill) * SITUATIONS + situation) * Constants.NUM_GHOSTS + ghost];
+    int node(int maze, int powerPill, int observation, int ghost) {
+        return nodes[((maze * POWER_PILLS + powerPill) * SITUATIONS + observation) * Constants.NUM_GHOSTS + ghost];
     }
 
     /** Whether the same situations were recorded. */

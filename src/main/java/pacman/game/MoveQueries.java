@@ -3,8 +3,8 @@ package pacman.game;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
-import pacman.game.internal.MazeGraph;
-import pacman.game.internal.MazeTables;
+import pacman.maze.MazeGraph;
+import pacman.maze.MazeTables;
 
 /**
  * Questions about distances, moves and nearest nodes of a maze.

@@ -10,7 +10,7 @@ import java.util.Objects;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
-import pacman.game.internal.MazePoses;
+import pacman.maze.MazePoses;
 
 /**
  * The state string: fields joined by commas. The competition's has {@value #SHORT} fields; MM-NEAT's {@value #LONG} add

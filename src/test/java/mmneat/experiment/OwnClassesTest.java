@@ -10,7 +10,7 @@ import mmneat.CompiledClasses;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.sensors.Sensor;
 import mmneat.mspacman.sensors.SensorSuite;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -28,7 +28,7 @@ class OwnClassesTest {
         }
 
         @Override
-        public double sense(Situation situation) {
+        public double sense(Observation observation) {
             return 1;
         }
     }
@@ -59,7 +59,7 @@ class OwnClassesTest {
                 "package my; public final class NearExit implements mmneat.mspacman.sensors.Sensor {"
                         + " public String label() { return \"Near Exit\"; }"
                         + " public boolean isDirectional() { return false; }"
-                        + " public double sense(mmneat.mspacman.sensors.Situation situation) { return Half.of(); } }",
+                        + " public double sense(mmneat.mspacman.sensors.Observation observation) { return Half.of(); } }",
                 "package my; final class Half { static double of() { return 0.5; } }");
         return CompiledClasses.jar(classes, folder.resolve("my-sensors.jar"));
     }

@@ -205,7 +205,7 @@ class MsPacManTaskTest {
     @Test
     void multitaskPlayer_usesTheModuleOfTheDivision_inAllDirections() {
         DirectionEvaluator player = new DirectionEvaluator(
-                SensorSuite.of(SensorSettings.imprisoned()).newSenses(),
+                SensorSuite.of(SensorSettings.imprisoned()).newInputs(),
                 network(26, MULTITASK),
                 ModuleArbitration.PREFERENCE,
                 new AnyGhostEdible());

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import pacman.Executor;
 import pacman.controllers.examples.Legacy;
 import pacman.controllers.examples.StarterPacMan;
-import pacman.game.internal.Mazes;
+import pacman.maze.Mazes;
 
 /** Rules check themselves and say what is wrong. */
 class GameRulesTest {

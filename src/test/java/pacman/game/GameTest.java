@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
-import pacman.game.internal.MazeTables;
-import pacman.game.internal.Mazes;
+import pacman.maze.MazeTables;
+import pacman.maze.Mazes;
 
 /** Games by the rules of both frameworks: what copies, restarts, states and levels are. */
 class GameTest {

@@ -48,12 +48,12 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
         }
     }
 
-    /** The names for a network that plays Ms. Pac-Man; a module that a division chooses bears its situation. */
+    /** The names for a network that plays Ms. Pac-Man; a module that a division chooses bears its observation. */
     public static NetworkLabels of(MsPacManTaskSettings settings, ModuleLayout layout) {
         boolean divided = layout.standardMultitask() && settings.division() != null;
         List<String> modules = IntStream.range(0, layout.modules())
                 .mapToObj(module -> "module " + (module + 1)
-                        + (divided ? ": " + settings.division().situation(module) : ""))
+                        + (divided ? ": " + settings.division().observation(module) : ""))
                 .toList();
         return new NetworkLabels(SensorNames.of(new MsPacManTask(settings).inputLabels()), modules);
     }

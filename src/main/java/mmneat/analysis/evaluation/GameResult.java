@@ -18,7 +18,7 @@ import mmneat.mspacman.ModuleUse;
  * @param steps time steps
  * @param end why it ended; in the isolated version, why the pill game did
  * @param maze index of the maze in which it ended
- * @param moduleUse how often each module decided, for each situation of {@link ModuleUse.When}
+ * @param moduleUse how often each module decided, for each observation of {@link ModuleUse.When}
  */
 public record GameResult(
         int number,

@@ -1,7 +1,7 @@
 package mmneat.analysis.replay;
 
 import mmneat.mspacman.MsPacManTaskSettings;
-import mmneat.mspacman.sensors.Senses;
+import mmneat.mspacman.sensors.NetworkInputs;
 import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.Network;
@@ -19,7 +19,7 @@ import pacman.game.Game;
 final class ShadowNetworks {
 
     private final MsPacManTaskSettings settings;
-    private final Senses senses;
+    private final NetworkInputs sensors;
     private final NetworkState[] states = new NetworkState[4];
     private final int inputs;
     private final int nodes;
@@ -29,7 +29,7 @@ final class ShadowNetworks {
 
     ShadowNetworks(MsPacManTaskSettings settings, Genotype genotype) {
         this.settings = settings;
-        senses = SensorSuite.of(settings.sensors()).newSenses();
+        sensors = SensorSuite.of(settings.sensors()).newInputs();
         Network network = Network.compileWithAllNodes(genotype);
         for (int d = 0; d < states.length; d++) {
             states[d] = network.newState(settings.arbitration());
@@ -46,19 +46,19 @@ final class ShadowNetworks {
         livesBefore = -1;
     }
 
-    /** Senses the game before a decision and fills in what the networks make of it. */
+    /** Reads the sensors before a decision and fills in what the networks make of it. */
     void think(Game game, ReplayStep step) {
         flushAfterChange(game);
-        senses.observe(game);
+        sensors.observe(game);
         for (int d = 0; d < states.length; d++) {
-            step.open[d] = senses.situation().isOpen(d);
+            step.open[d] = sensors.observation().isOpen(d);
             if (!step.open[d]) {
                 states[d].flush();
                 continue;
             }
-            System.arraycopy(senses.inputs(d), 0, step.sensors[d], 0, inputs);
+            System.arraycopy(sensors.inputs(d), 0, step.sensors[d], 0, inputs);
             if (multitask) {
-                states[d].presetModule(settings.division().module(senses.situation()));
+                states[d].presetModule(settings.division().module(sensors.observation()));
             }
             states[d].activate(step.sensors[d], random);
             for (int node = inputs; node < nodes; node++) {

@@ -14,7 +14,7 @@ import java.util.List;
  * @param standardDeviation deviation of the game scores, with n - 1
  * @param low lower end of the 95 % confidence interval of the mean
  * @param high upper end
- * @param moduleUse for each {@link #SITUATIONS situation} how often each module was used
+ * @param moduleUse for each {@link #SITUATIONS observation} how often each module was used
  * @param deathsByMaze games that ended by being caught in maze 0, 1, 2, 3
  */
 public record ChampionEvaluation(

@@ -8,7 +8,7 @@ import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ModuleDivisions;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /**
  * A human's division of the game into tasks.
@@ -32,10 +32,10 @@ public record TaskDivision(String name, List<TaskPredicate> tasks) {
 
     private static Map<String, TaskPredicate> known() {
         Map<String, TaskPredicate> known = new LinkedHashMap<>();
-        add(known, new TaskPredicate("threats", situation -> situation.threats() > 0));
-        add(known, new TaskPredicate("edible", situation -> situation.edibleGhosts() > 0));
+        add(known, new TaskPredicate("threats", observation -> observation.threats() > 0));
+        add(known, new TaskPredicate("edible", observation -> observation.edibleGhosts() > 0));
         add(known, new TaskPredicate("pills", TaskDivision::arePillsLeft));
-        add(known, new TaskPredicate("noPills", situation -> !arePillsLeft(situation)));
+        add(known, new TaskPredicate("noPills", observation -> !arePillsLeft(observation)));
         return known;
     }
 
@@ -43,8 +43,8 @@ public record TaskDivision(String name, List<TaskPredicate> tasks) {
         known.put(predicate.name(), predicate);
     }
 
-    private static boolean arePillsLeft(Situation situation) {
-        return situation.pillsLeft() > 0 || situation.powerPillsLeft() > 0;
+    private static boolean arePillsLeft(Observation observation) {
+        return observation.pillsLeft() > 0 || observation.powerPillsLeft() > 0;
     }
 
     /** The names of single predicates. */
@@ -98,16 +98,16 @@ public record TaskDivision(String name, List<TaskPredicate> tasks) {
         List<TaskPredicate> tasks = new ArrayList<>();
         for (int module = 0; module < division.modules(); module++) {
             int ofTask = module;
-            tasks.add(new TaskPredicate(name + "=" + module, situation -> division.module(situation) == ofTask));
+            tasks.add(new TaskPredicate(name + "=" + module, observation -> division.module(observation) == ofTask));
         }
         return new TaskDivision(name, tasks);
     }
 
     /** The tasks that are to be done in a state, as bits in their order. */
-    int tasksIn(Situation situation) {
+    int tasksIn(Observation observation) {
         int bits = 0;
         for (int task = 0; task < tasks.size(); task++) {
-            bits |= tasks.get(task).holds().test(situation) ? 1 << task : 0;
+            bits |= tasks.get(task).holds().test(observation) ? 1 << task : 0;
         }
         return bits;
     }

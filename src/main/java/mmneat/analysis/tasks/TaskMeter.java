@@ -7,7 +7,7 @@ import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TrialGame;
-import mmneat.mspacman.sensors.Senses;
+import mmneat.mspacman.sensors.NetworkInputs;
 import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.random.ResumableRandom;
 import pacman.controllers.Controller;
@@ -21,7 +21,7 @@ public final class TaskMeter {
     private final TaskDivision division;
     private final List<TrialGame> games;
     private final Supplier<? extends Controller<EnumMap<GHOST, MOVE>>> ghosts;
-    private final Senses senses;
+    private final NetworkInputs sensors;
 
     /**
      * A meter for a version.
@@ -32,7 +32,7 @@ public final class TaskMeter {
         this.division = division;
         games = TrialGame.of(settings.version(), settings.rules());
         ghosts = settings.ghosts();
-        senses = SensorSuite.of(settings.sensors()).newSenses();
+        sensors = SensorSuite.of(settings.sensors()).newInputs();
     }
 
     /** Games, that is episodes, of a trial. */
@@ -63,8 +63,8 @@ public final class TaskMeter {
         Controller<EnumMap<GHOST, MOVE>> team = ghosts.get();
         Episode.Counter counter = new Episode.Counter(division.tasks().size());
         while (!game.gameOver()) {
-            senses.observe(game);
-            counter.step(division.tasksIn(senses.situation()));
+            sensors.observe(game);
+            counter.step(division.tasksIn(sensors.observation()));
             game.advanceGame(player.getMove(game.copy(), -1), team.getMove(game.copy(), -1));
         }
         return counter.finish(game.getScore());

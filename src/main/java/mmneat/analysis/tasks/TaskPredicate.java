@@ -1,7 +1,7 @@
 package mmneat.analysis.tasks;
 
 import java.util.function.Predicate;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /**
  * Says of each state of a game whether a task is to be done in it.
@@ -9,4 +9,4 @@ import mmneat.mspacman.sensors.Situation;
  * @param name of the task
  * @param holds whether the task is to be done; looks at the state, not at a direction, and keeps no state of its own
  */
-public record TaskPredicate(String name, Predicate<Situation> holds) {}
+public record TaskPredicate(String name, Predicate<Observation> holds) {}

@@ -1,7 +1,7 @@
 package mmneat.mspacman.modules;
 
 import java.util.List;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /** Module 1 if any ghost is edible, else 0. The division of MT (interleaved) and MT2 (blended). */
 public record AnyGhostEdible() implements ModuleDivision {
@@ -14,12 +14,12 @@ public record AnyGhostEdible() implements ModuleDivision {
     }
 
     @Override
-    public int module(Situation situation) {
-        return situation.highestEdibleTime() > 0 ? 1 : 0;
+    public int module(Observation observation) {
+        return observation.highestEdibleTime() > 0 ? 1 : 0;
     }
 
     @Override
-    public String situation(int module) {
+    public String observation(int module) {
         return SITUATIONS.get(module);
     }
 }

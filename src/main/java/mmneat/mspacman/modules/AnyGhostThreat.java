@@ -1,7 +1,7 @@
 package mmneat.mspacman.modules;
 
 import java.util.List;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /** Module 0 if no ghost is a threat, else 1. Not part of the published experiments. */
 public record AnyGhostThreat() implements ModuleDivision {
@@ -14,12 +14,12 @@ public record AnyGhostThreat() implements ModuleDivision {
     }
 
     @Override
-    public int module(Situation situation) {
-        return situation.threats() == 0 ? 0 : 1;
+    public int module(Observation observation) {
+        return observation.threats() == 0 ? 0 : 1;
     }
 
     @Override
-    public String situation(int module) {
+    public String observation(int module) {
         return SITUATIONS.get(module);
     }
 }

@@ -1,7 +1,7 @@
 package mmneat.mspacman.modules;
 
 import java.util.List;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /** Module 0 if a pill or power pill is left, else 1: the pill task and the ghost task. The division of MT (isolated). */
 public record AnyPills() implements ModuleDivision {
@@ -14,12 +14,12 @@ public record AnyPills() implements ModuleDivision {
     }
 
     @Override
-    public int module(Situation situation) {
-        return situation.pillsLeft() > 0 || situation.powerPillsLeft() > 0 ? 0 : 1;
+    public int module(Observation observation) {
+        return observation.pillsLeft() > 0 || observation.powerPillsLeft() > 0 ? 0 : 1;
     }
 
     @Override
-    public String situation(int module) {
+    public String observation(int module) {
         return SITUATIONS.get(module);
     }
 }

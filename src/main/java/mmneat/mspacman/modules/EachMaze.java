@@ -1,6 +1,6 @@
 package mmneat.mspacman.modules;
 
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /** The module with the maze's index, of four mazes. Not part of the published experiments. */
 public record EachMaze() implements ModuleDivision {
@@ -11,12 +11,12 @@ public record EachMaze() implements ModuleDivision {
     }
 
     @Override
-    public int module(Situation situation) {
-        return situation.mazeIndex();
+    public int module(Observation observation) {
+        return observation.mazeIndex();
     }
 
     @Override
-    public String situation(int module) {
+    public String observation(int module) {
         return "maze " + (char) ('A' + module);
     }
 }

@@ -1,7 +1,7 @@
 package mmneat.mspacman.modules;
 
 import java.util.List;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /** Module 0 while power pills or edible ghosts remain, else 1. Not part of the published experiments. */
 public record GhostsThenPills() implements ModuleDivision {
@@ -14,12 +14,12 @@ public record GhostsThenPills() implements ModuleDivision {
     }
 
     @Override
-    public int module(Situation situation) {
-        return situation.powerPillsLeft() > 0 || situation.highestEdibleTime() > 0 ? 0 : 1;
+    public int module(Observation observation) {
+        return observation.powerPillsLeft() > 0 || observation.highestEdibleTime() > 0 ? 0 : 1;
     }
 
     @Override
-    public String situation(int module) {
+    public String observation(int module) {
         return SITUATIONS.get(module);
     }
 }

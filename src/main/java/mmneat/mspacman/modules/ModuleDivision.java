@@ -1,6 +1,6 @@
 package mmneat.mspacman.modules;
 
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /**
  * A human-specified division of the task: says which output module of a network is used in a time step.
@@ -18,12 +18,12 @@ public interface ModuleDivision {
     /**
      * The module for all directions of this time step, in [0, {@link #modules()}).
      *
-     * @param situation the state of the game; what depends on a direction must not be asked
+     * @param observation the state of the game; what depends on a direction must not be asked
      */
-    int module(Situation situation);
+    int module(Observation observation);
 
     /** In a few words, when a module is used; for pictures and tables. */
-    default String situation(int module) {
-        return "situation " + (module + 1);
+    default String observation(int module) {
+        return "observation " + (module + 1);
     }
 }

@@ -1,7 +1,7 @@
 package mmneat.mspacman.modules;
 
 import java.util.List;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /**
  * Module 0 if a ghost is edible, else 1 if fewer than four are threats, 2 if all four are. Not part of the published
@@ -17,15 +17,15 @@ public record NumberOfThreats() implements ModuleDivision {
     }
 
     @Override
-    public int module(Situation situation) {
-        if (situation.highestEdibleTime() > 0) {
+    public int module(Observation observation) {
+        if (observation.highestEdibleTime() > 0) {
             return 0;
         }
-        return situation.threats() < Situation.GHOSTS ? 1 : 2;
+        return observation.threats() < Observation.GHOSTS ? 1 : 2;
     }
 
     @Override
-    public String situation(int module) {
+    public String observation(int module) {
         return SITUATIONS.get(module);
     }
 }

@@ -1,7 +1,7 @@
 package mmneat.mspacman.modules;
 
 import java.util.List;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 
 /**
  * Module 1 if all ghosts are threats or in the lair (also if all are in the lair), 0 if all are edible or in the lair, 2 if
@@ -17,9 +17,9 @@ public record ThreatEdibleOrBoth() implements ModuleDivision {
     }
 
     @Override
-    public int module(Situation situation) {
-        int threats = situation.threats();
-        int edible = situation.edibleGhosts();
+    public int module(Observation observation) {
+        int threats = observation.threats();
+        int edible = observation.edibleGhosts();
         if (edible == 0) {
             return 1;
         }
@@ -27,7 +27,7 @@ public record ThreatEdibleOrBoth() implements ModuleDivision {
     }
 
     @Override
-    public String situation(int module) {
+    public String observation(int module) {
         return SITUATIONS.get(module);
     }
 }

@@ -14,7 +14,7 @@ record AllThreatsPresent() implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
-        return situation.threats() == Situation.GHOSTS ? 1 : 0;
+    public double sense(Observation observation) {
+        return observation.threats() == Observation.GHOSTS ? 1 : 0;
     }
 }

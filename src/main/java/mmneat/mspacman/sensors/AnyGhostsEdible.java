@@ -14,7 +14,7 @@ record AnyGhostsEdible() implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
-        return situation.highestEdibleTime() > 0 ? 1 : 0;
+    public double sense(Observation observation) {
+        return observation.highestEdibleTime() > 0 ? 1 : 0;
     }
 }

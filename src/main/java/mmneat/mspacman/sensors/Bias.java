@@ -14,7 +14,7 @@ record Bias() implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
+    public double sense(Observation observation) {
         return 1;
     }
 }

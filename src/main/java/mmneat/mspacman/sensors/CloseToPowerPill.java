@@ -18,7 +18,7 @@ record CloseToPowerPill(double closeness) implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
-        return situation.isCloseToPowerPill() ? 1 : 0;
+    public double sense(Observation observation) {
+        return observation.isCloseToPowerPill() ? 1 : 0;
     }
 }

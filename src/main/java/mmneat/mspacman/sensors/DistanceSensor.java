@@ -11,11 +11,11 @@ interface DistanceSensor extends GradedSensor {
     int FAR = 200;
 
     /** Steps, or -1 if what is looked for does not exist. */
-    int steps(Situation situation);
+    int steps(Observation observation);
 
     @Override
-    default int grade(Situation situation) {
-        return Math.min(steps(situation) & Integer.MAX_VALUE, FAR);
+    default int grade(Observation observation) {
+        return Math.min(steps(observation) & Integer.MAX_VALUE, FAR);
     }
 
     @Override

@@ -3,11 +3,11 @@ package mmneat.mspacman.sensors;
 /** A sensor that is 1 if something holds, else 0. */
 interface FlagSensor extends GradedSensor {
 
-    boolean holds(Situation situation);
+    boolean holds(Observation observation);
 
     @Override
-    default int grade(Situation situation) {
-        return holds(situation) ? 1 : 0;
+    default int grade(Observation observation) {
+        return holds(observation) ? 1 : 0;
     }
 
     @Override

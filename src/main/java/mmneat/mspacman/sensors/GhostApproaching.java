@@ -14,8 +14,8 @@ record GhostApproaching(int n) implements FlagSensor {
     }
 
     @Override
-    public boolean holds(Situation situation) {
-        int ghost = situation.nthNearestGhost(n);
-        return ghost >= 0 && situation.isApproaching(ghost);
+    public boolean holds(Observation observation) {
+        int ghost = observation.nthNearestGhost(n);
+        return ghost >= 0 && observation.isApproaching(ghost);
     }
 }

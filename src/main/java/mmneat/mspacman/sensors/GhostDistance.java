@@ -13,8 +13,8 @@ record GhostDistance(int n) implements DistanceSensor {
     }
 
     @Override
-    public int steps(Situation situation) {
-        int ghost = situation.nthNearestGhost(n);
-        return ghost < 0 ? -1 : situation.distanceToGhost(ghost);
+    public int steps(Observation observation) {
+        int ghost = observation.nthNearestGhost(n);
+        return ghost < 0 ? -1 : observation.distanceToGhost(ghost);
     }
 }

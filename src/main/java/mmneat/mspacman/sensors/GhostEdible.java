@@ -13,8 +13,8 @@ record GhostEdible(int n) implements FlagSensor {
     }
 
     @Override
-    public boolean holds(Situation situation) {
-        int ghost = situation.nthNearestGhost(n);
-        return ghost >= 0 && situation.isEdible(ghost);
+    public boolean holds(Observation observation) {
+        int ghost = observation.nthNearestGhost(n);
+        return ghost >= 0 && observation.isEdible(ghost);
     }
 }

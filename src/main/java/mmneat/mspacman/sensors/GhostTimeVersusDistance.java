@@ -16,12 +16,12 @@ record GhostTimeVersusDistance(int n, int longest) implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
-        int ghost = situation.nthNearestGhost(n);
-        if (ghost < 0 || !situation.isEdible(ghost)) {
+    public double sense(Observation observation) {
+        int ghost = observation.nthNearestGhost(n);
+        if (ghost < 0 || !observation.isEdible(ghost)) {
             return 0;
         }
-        double spare = situation.edibleTime(ghost) - situation.distanceToGhost(ghost);
+        double spare = observation.edibleTime(ghost) - observation.distanceToGhost(ghost);
         return Math.max(-1, Math.min(1, spare / longest));
     }
 }

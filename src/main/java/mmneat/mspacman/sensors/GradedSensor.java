@@ -12,11 +12,11 @@ public interface GradedSensor extends Sensor {
     /** The value with a number in [0, {@link #grades()}). */
     double value(int grade);
 
-    /** Number of the value in a situation. */
-    int grade(Situation situation);
+    /** Number of the value in an observation. */
+    int grade(Observation observation);
 
     @Override
-    default double sense(Situation situation) {
-        return value(grade(situation));
+    default double sense(Observation observation) {
+        return value(grade(observation));
     }
 }

@@ -13,7 +13,7 @@ record JunctionDistance(int rank) implements DistanceSensor {
     }
 
     @Override
-    public int steps(Situation situation) {
-        return rank == 0 ? situation.nearestJunction() : situation.nthNearestJunction(rank);
+    public int steps(Observation observation) {
+        return rank == 0 ? observation.nearestJunction() : observation.nthNearestJunction(rank);
     }
 }

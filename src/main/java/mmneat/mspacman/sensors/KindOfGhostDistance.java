@@ -8,9 +8,9 @@ package mmneat.mspacman.sensors;
  */
 record KindOfGhostDistance(int n, boolean edible) implements DistanceSensor {
 
-    private int ghost(Situation situation) {
-        int ghost = situation.nthNearestGhost(n);
-        return ghost >= 0 && situation.isEdible(ghost) == edible ? ghost : -1;
+    private int ghost(Observation observation) {
+        int ghost = observation.nthNearestGhost(n);
+        return ghost >= 0 && observation.isEdible(ghost) == edible ? ghost : -1;
     }
 
     @Override
@@ -19,8 +19,8 @@ record KindOfGhostDistance(int n, boolean edible) implements DistanceSensor {
     }
 
     @Override
-    public int steps(Situation situation) {
-        int ghost = ghost(situation);
-        return ghost < 0 ? -1 : situation.distanceToGhost(ghost);
+    public int steps(Observation observation) {
+        int ghost = ghost(observation);
+        return ghost < 0 ? -1 : observation.distanceToGhost(ghost);
     }
 }

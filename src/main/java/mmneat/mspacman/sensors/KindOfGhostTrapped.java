@@ -8,9 +8,9 @@ package mmneat.mspacman.sensors;
  */
 record KindOfGhostTrapped(int n, boolean edible) implements FlagSensor {
 
-    private int ghost(Situation situation) {
-        int ghost = situation.nthNearestGhost(n);
-        return ghost >= 0 && situation.isEdible(ghost) == edible ? ghost : -1;
+    private int ghost(Observation observation) {
+        int ghost = observation.nthNearestGhost(n);
+        return ghost >= 0 && observation.isEdible(ghost) == edible ? ghost : -1;
     }
 
     @Override
@@ -19,8 +19,8 @@ record KindOfGhostTrapped(int n, boolean edible) implements FlagSensor {
     }
 
     @Override
-    public boolean holds(Situation situation) {
-        int ghost = ghost(situation);
-        return ghost >= 0 && situation.isTrapped(ghost);
+    public boolean holds(Observation observation) {
+        int ghost = ghost(observation);
+        return ghost >= 0 && observation.isTrapped(ghost);
     }
 }

@@ -14,8 +14,8 @@ record MostJunctionsAhead(int steps) implements GradedSensor {
     }
 
     @Override
-    public int grade(Situation situation) {
-        return situation.mostJunctionsAhead();
+    public int grade(Observation observation) {
+        return observation.mostJunctionsAhead();
     }
 
     @Override

@@ -15,8 +15,8 @@ record MostPillsAhead(int steps) implements GradedSensor {
     }
 
     @Override
-    public int grade(Situation situation) {
-        return situation.mostPillsAhead();
+    public int grade(Observation observation) {
+        return observation.mostPillsAhead();
     }
 
     @Override

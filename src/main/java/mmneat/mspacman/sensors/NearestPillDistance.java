@@ -9,7 +9,7 @@ record NearestPillDistance() implements DistanceSensor {
     }
 
     @Override
-    public int steps(Situation situation) {
-        return situation.nearestPill();
+    public int steps(Observation observation) {
+        return observation.nearestPill();
     }
 }

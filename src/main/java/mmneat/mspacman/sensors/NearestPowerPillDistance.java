@@ -9,7 +9,7 @@ record NearestPowerPillDistance() implements DistanceSensor {
     }
 
     @Override
-    public int steps(Situation situation) {
-        return situation.nearestPowerPill();
+    public int steps(Observation observation) {
+        return observation.nearestPowerPill();
     }
 }

@@ -14,8 +14,8 @@ record OptionsAfterJunction() implements GradedSensor {
     }
 
     @Override
-    public int grade(Situation situation) {
-        return situation.safeOptionsAfterJunction();
+    public int grade(Observation observation) {
+        return observation.safeOptionsAfterJunction();
     }
 
     @Override

@@ -14,7 +14,7 @@ record ProportionEdibleGhosts() implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
-        return (double) situation.edibleGhosts() / Situation.GHOSTS;
+    public double sense(Observation observation) {
+        return (double) observation.edibleGhosts() / Observation.GHOSTS;
     }
 }

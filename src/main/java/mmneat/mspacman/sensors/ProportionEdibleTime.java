@@ -18,7 +18,7 @@ record ProportionEdibleTime(int longest) implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
-        return (double) situation.highestEdibleTime() / longest;
+    public double sense(Observation observation) {
+        return (double) observation.highestEdibleTime() / longest;
     }
 }

@@ -14,7 +14,7 @@ record ProportionPills() implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
-        return (double) situation.pillsLeft() / situation.pillsOfMaze();
+    public double sense(Observation observation) {
+        return (double) observation.pillsLeft() / observation.pillsOfMaze();
     }
 }

@@ -14,8 +14,8 @@ record ProportionPowerPills() implements Sensor {
     }
 
     @Override
-    public double sense(Situation situation) {
+    public double sense(Observation observation) {
         // A drawn maze may have none.
-        return (double) situation.powerPillsLeft() / Math.max(1, situation.powerPillsOfMaze());
+        return (double) observation.powerPillsLeft() / Math.max(1, observation.powerPillsOfMaze());
     }
 }

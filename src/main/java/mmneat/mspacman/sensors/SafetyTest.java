@@ -1,6 +1,10 @@
 package mmneat.mspacman.sensors;
 
-import static mmneat.mspacman.sensors.CorridorPositions.NONE;
+import pacman.maze.PathTables;
+import pacman.maze.OnwardJunctions;
+import pacman.maze.Routes;
+
+import static pacman.maze.CorridorPositions.NONE;
 
 /**
  * Which junctions Ms. Pac-Man can reach in the direction that is looked at before a ghost stops her.
@@ -18,10 +22,10 @@ final class SafetyTest {
 
     private static final int MEETING_DISTANCE = 2;
 
-    private final Situation situation;
+    private final Observation observation;
     private SensorTables tables;
     private PathTables paths;
-    private Ways ways;
+    private Routes routes;
 
     /** Ms. Pac-Man's path: its target, its steps, and the onward path behind the next junction, NONE if it ends there. */
     private int target;
@@ -41,8 +45,8 @@ final class SafetyTest {
     private int stamp;
     private int[] path = new int[0];
 
-    SafetyTest(Situation situation) {
-        this.situation = situation;
+    SafetyTest(Observation observation) {
+        this.observation = observation;
     }
 
     /**
@@ -50,30 +54,30 @@ final class SafetyTest {
      * junction itself is not safe.
      */
     int options() {
-        tables = situation.tables();
+        tables = observation.tables();
         paths = tables.paths;
-        ways = tables.ways;
-        long way = situation.way();
-        target = ways.junction(way);
-        steps = Ways.steps(way);
+        routes = tables.routes;
+        long route = observation.route();
+        target = routes.junction(route);
+        steps = Routes.steps(route);
         onward = NONE;
-        int row = Ways.row(way);
-        int moves = tables.onward.moves(situation.pacManNode(), situation.direction());
+        int row = Routes.row(route);
+        int moves = tables.onward.moves(observation.pacManNode(), observation.direction());
         int mostSteps = steps + tables.onward.longest(row);
         mayGoToLastPill =
-                situation.powerPillsLeft() == 0 && situation.pillsLeft() > 0 && situation.pillsLeft() <= mostSteps;
-        if (mostSteps <= situation.harmlessSteps() && !mayGoToLastPill) {
+                observation.powerPillsLeft() == 0 && observation.pillsLeft() > 0 && observation.pillsLeft() <= mostSteps;
+        if (mostSteps <= observation.harmlessSteps() && !mayGoToLastPill) {
             return Integer.bitCount(moves);
         }
-        return isSafe() ? safeMoves(way, row, moves) : 0;
+        return isSafe() ? safeMoves(route, row, moves) : 0;
     }
 
-    private int safeMoves(long way, int row, int onwardMoves) {
+    private int safeMoves(long route, int row, int onwardMoves) {
         int options = 0;
         for (int moves = onwardMoves; moves != 0; moves &= moves - 1) {
             onward = OnwardJunctions.path(row, Integer.numberOfTrailingZeros(moves));
             target = tables.onward.end(onward);
-            steps = Ways.steps(way) + tables.onward.length(onward);
+            steps = Routes.steps(route) + tables.onward.length(onward);
             if (isSafe()) {
                 options++;
             }
@@ -83,25 +87,25 @@ final class SafetyTest {
 
     /** Number of steps of her path up to which a ghost cannot stop her by any rule below; -1 for threats. */
     int harmlessSteps(int ghost) {
-        if (!situation.isOutside(ghost)) {
-            return situation.lairTime(ghost);
+        if (!observation.isOutside(ghost)) {
+            return observation.lairTime(ghost);
         }
-        int edibleTime = situation.edibleTime(ghost);
+        int edibleTime = observation.edibleTime(ghost);
         // The ghost's own path to her is not shorter than the distance that counts when they meet.
-        return edibleTime > 0 && timeToMeet(situation.ghostPathLength(ghost)) < edibleTime ? edibleTime - 1 : -1;
+        return edibleTime > 0 && timeToMeet(observation.ghostPathLength(ghost)) < edibleTime ? edibleTime - 1 : -1;
     }
 
     private boolean isSafe() {
         isStamped = false;
-        if (mayGoToLastPill && situation.pillsLeft() <= steps) {
+        if (mayGoToLastPill && observation.pillsLeft() <= steps) {
             goOnlyToLastPill();
         }
-        for (int ghost = 0; ghost < Situation.GHOSTS; ghost++) {
+        for (int ghost = 0; ghost < Observation.GHOSTS; ghost++) {
             boolean stops;
-            if (!situation.isOutside(ghost)) {
-                stops = stopsFromLair(situation.lairTime(ghost));
-            } else if (situation.isEdible(ghost)) {
-                stops = stopsWhileEdible(ghost, situation.edibleTime(ghost));
+            if (!observation.isOutside(ghost)) {
+                stops = stopsFromLair(observation.lairTime(ghost));
+            } else if (observation.isEdible(ghost)) {
+                stops = stopsWhileEdible(ghost, observation.edibleTime(ghost));
             } else {
                 stops = stopsAsThreat(ghost);
             }
@@ -117,8 +121,8 @@ final class SafetyTest {
     }
 
     private boolean stopsAsThreat(int ghost) {
-        int node = situation.ghostNode(ghost);
-        if (node == target && !situation.isApproaching(ghost)) {
+        int node = observation.ghostNode(ghost);
+        if (node == target && !observation.isApproaching(ghost)) {
             return false;
         }
         if (isGhostOnPath(ghost, node)) {
@@ -133,15 +137,15 @@ final class SafetyTest {
     }
 
     private boolean stopsWhileEdible(int ghost, int edibleTime) {
-        if (steps <= situation.harmlessSteps(ghost)) {
+        if (steps <= observation.harmlessSteps(ghost)) {
             return false;
         }
-        int node = situation.ghostNode(ghost);
+        int node = observation.ghostNode(ghost);
         if (isGhostOnPath(ghost, node)) {
             if (runsAhead(ghost, node)) {
                 return false;
             }
-            int distance = tables.distances.between(node, situation.pacManNode());
+            int distance = tables.distances.between(node, observation.pacManNode());
             if (timeToMeet(distance) >= edibleTime && headsForPacMan(ghost, node)) {
                 return true;
             }
@@ -157,21 +161,21 @@ final class SafetyTest {
     private int ghostSteps(int ghost) {
         // Only pills can be in the ghost's own corridor: a junction is beyond it, or the place where it is.
         return isStamped
-                ? paths.length(situation.ghostWay(ghost), 0, target)
-                : paths.lengthBeyond(situation.ghostWay(ghost), target);
+                ? paths.length(observation.ghostRoute(ghost), 0, target)
+                : paths.lengthBeyond(observation.ghostRoute(ghost), target);
     }
 
     /** Both lengths as the simulator's paths have them. */
     private boolean headsForPacMan(int ghost, int node) {
-        return situation.ghostPathLength(ghost) == paths.undirectedLength(node, situation.pacManNode());
+        return observation.ghostPathLength(ghost) == paths.undirectedLength(node, observation.pacManNode());
     }
 
     private boolean isGhostOnPath(int ghost, int node) {
         if (isStamped) {
             return stamps[node] == stamp;
         }
-        return situation.isInCorridorAhead(ghost)
-                || node == ways.junction(situation.way())
+        return observation.isInCorridorAhead(ghost)
+                || node == routes.junction(observation.route())
                 || onward != NONE && tables.onward.passes(onward, node);
     }
 
@@ -179,8 +183,8 @@ final class SafetyTest {
         if (isStamped) {
             return stamps[node] == stamp;
         }
-        return ways.ahead(situation.way(), node) > 0
-                || node == ways.junction(situation.way())
+        return routes.ahead(observation.route(), node) > 0
+                || node == routes.junction(observation.route())
                 || onward != NONE && tables.onward.passes(onward, node);
     }
 
@@ -189,26 +193,26 @@ final class SafetyTest {
         if (tables.graph.isJunction(node)) {
             return false;
         }
-        long ghostWay = situation.ghostWay(ghost);
-        if (!isStamped && situation.isInCorridorAhead(ghost)) {
-            if (Ways.isSameCourse(ghostWay, situation.way())) {
+        long ghostRoute = observation.ghostRoute(ghost);
+        if (!isStamped && observation.isInCorridorAhead(ghost)) {
+            if (Routes.isSameCourse(ghostRoute, observation.route())) {
                 return true;
             }
             // It comes towards her, and so passes her.
-            if (!isOnPath(situation.pacManNode())) {
+            if (!isOnPath(observation.pacManNode())) {
                 return false;
             }
         }
-        return isWithinPath(ghostWay);
+        return isWithinPath(ghostRoute);
     }
 
-    private boolean isWithinPath(long ghostWay) {
-        int ahead = ways.ahead(ghostWay, target);
+    private boolean isWithinPath(long ghostRoute) {
+        int ahead = routes.ahead(ghostRoute, target);
         boolean inCorridor = ahead >= 0;
-        int legSteps = inCorridor ? ahead : Ways.steps(ghostWay);
+        int legSteps = inCorridor ? ahead : Routes.steps(ghostRoute);
         for (int step = 1; step <= legSteps; step++) {
             boolean isEnd = step == legSteps && !inCorridor;
-            if (!isOnPath(isEnd ? ways.junction(ghostWay) : ways.corridorNode(ghostWay, step))) {
+            if (!isOnPath(isEnd ? routes.junction(ghostRoute) : routes.corridorNode(ghostRoute, step))) {
                 return false;
             }
         }
@@ -216,7 +220,7 @@ final class SafetyTest {
             return true;
         }
         makeRoom();
-        int length = paths.rowPath(Ways.row(ghostWay), target, path, 0);
+        int length = paths.rowPath(Routes.row(ghostRoute), target, path, 0);
         for (int i = 0; i < length; i++) {
             if (!isOnPath(path[i])) {
                 return false;
@@ -240,12 +244,12 @@ final class SafetyTest {
         int last = NONE;
         int longest = -1;
         for (int word = 0; word < tables.graph.pillWords(); word++) {
-            for (long left = situation.activePills(word); left != 0; left &= left - 1) {
+            for (long left = observation.activePills(word); left != 0; left &= left - 1) {
                 int pill = tables.graph.pillNode(64 * word + Long.numberOfTrailingZeros(left));
                 if (stamps[pill] != stamp) {
                     return;
                 }
-                int length = paths.length(situation.way(), situation.least(), pill);
+                int length = paths.length(observation.route(), observation.least(), pill);
                 if (length > longest) {
                     longest = length;
                     last = pill;
@@ -261,7 +265,7 @@ final class SafetyTest {
     private void stampPath(int end) {
         makeRoom();
         stamp++;
-        int length = paths.path(situation.way(), situation.least(), end, path);
+        int length = paths.path(observation.route(), observation.least(), end, path);
         for (int i = 0; i < length; i++) {
             stamps[path[i]] = stamp;
         }

@@ -4,7 +4,7 @@ package mmneat.mspacman.sensors;
  * One input of the network: a number that says something about the game, for one direction in which Ms. Pac-Man might go.
  *
  * <p>To add a sensor of one's own, write a class that implements this interface and has a public constructor without
- * arguments; docs/sensors.md shows how. A sensor keeps no state: the same situation always gives the same value.
+ * arguments; docs/sensors.md shows how. A sensor keeps no state: the same observation always gives the same value.
  */
 public interface Sensor {
 
@@ -19,5 +19,5 @@ public interface Sensor {
     }
 
     /** The value, best in [-1, 1]: the input neuron applies its activation function (tanh) to it. */
-    double sense(Situation situation);
+    double sense(Observation observation);
 }

@@ -2,11 +2,11 @@ package mmneat.mspacman.sensors;
 
 import java.util.ArrayList;
 import java.util.List;
-import pacman.game.internal.MazeTables;
+import pacman.maze.MazeTables;
 
 /**
  * The sensors of a network in the order of its inputs. Immutable; threads share it, each
- * with its own {@link Senses}.
+ * with its own {@link NetworkInputs}.
  */
 public final class SensorSuite {
 
@@ -28,12 +28,12 @@ public final class SensorSuite {
             sensors.add(new JunctionDistance(rank));
         }
         if (settings.specific()) {
-            for (int ghost = 0; ghost < Situation.GHOSTS; ghost++) {
+            for (int ghost = 0; ghost < Observation.GHOSTS; ghost++) {
                 sensors.add(new SpecificGhostDistance(ghost));
                 addIf(settings.incoming(), new SpecificGhostApproaching(ghost), sensors);
             }
         }
-        for (int n = 0; n < Situation.GHOSTS; n++) {
+        for (int n = 0; n < Observation.GHOSTS; n++) {
             addNthGhost(n, settings, sensors);
         }
         sensors.add(new MostPillsAhead(settings.smallStepSimDepth()));
@@ -99,8 +99,8 @@ public final class SensorSuite {
     }
 
     /** Something that senses games with these sensors; one thread uses it. */
-    public Senses newSenses() {
-        return new Senses(this);
+    public NetworkInputs newInputs() {
+        return new NetworkInputs(this);
     }
 
     /** The tables of a maze. */

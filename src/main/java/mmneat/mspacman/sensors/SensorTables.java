@@ -1,15 +1,20 @@
 package mmneat.mspacman.sensors;
 
-import pacman.game.internal.MazeDistances;
-import pacman.game.internal.MazeGraph;
-import pacman.game.internal.MazeTables;
+import pacman.maze.PathTables;
+import pacman.maze.PillTables;
+import pacman.maze.OnwardJunctions;
+import pacman.maze.WalkTables;
+import pacman.maze.Routes;
+import pacman.maze.MazeDistances;
+import pacman.maze.MazeGraph;
+import pacman.maze.MazeTables;
 
 /** What sensors look up about one maze. Immutable; may be shared by games and threads. */
 final class SensorTables {
 
     final MazeGraph graph;
     final MazeDistances distances;
-    final Ways ways;
+    final Routes routes;
     final PathTables paths;
     final PillTables pills;
     final OnwardJunctions onward;
@@ -40,10 +45,10 @@ final class SensorTables {
     private SensorTables(MazeTables maze, int lookAhead, double closeness) {
         graph = maze.graph();
         distances = maze.distances();
-        ways = new Ways(graph);
-        paths = new PathTables(maze, ways);
-        pills = new PillTables(graph, ways, paths);
-        onward = new OnwardJunctions(graph, ways, paths);
+        routes = new Routes(graph);
+        paths = new PathTables(maze, routes);
+        pills = new PillTables(graph, routes, paths);
+        onward = new OnwardJunctions(graph, routes, paths);
         walks = new WalkTables(graph, lookAhead);
         closePowerPills = new long[graph.nodeCount()];
         fromLairExit = new short[graph.nodeCount()];

@@ -15,7 +15,7 @@ record SpecificGhostApproaching(int ghost) implements FlagSensor {
     }
 
     @Override
-    public boolean holds(Situation situation) {
-        return situation.isOutside(ghost) && situation.isApproaching(ghost);
+    public boolean holds(Observation observation) {
+        return observation.isOutside(ghost) && observation.isApproaching(ghost);
     }
 }

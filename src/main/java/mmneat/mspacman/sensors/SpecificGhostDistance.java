@@ -15,7 +15,7 @@ record SpecificGhostDistance(int ghost) implements DistanceSensor {
     }
 
     @Override
-    public int steps(Situation situation) {
-        return situation.isOutside(ghost) ? situation.distanceToGhost(ghost) : -1;
+    public int steps(Observation observation) {
+        return observation.isOutside(ghost) ? observation.distanceToGhost(ghost) : -1;
     }
 }

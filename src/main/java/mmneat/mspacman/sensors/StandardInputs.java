@@ -54,33 +54,33 @@ final class StandardInputs {
     }
 
     /**
-     * Writes the activations for the direction that a situation looks at.
+     * Writes the activations for the direction that an observation looks at.
      *
      * @param row place of the first input, the bias
      */
-    void write(Situation situation, double[] activations, int row) {
+    void write(Observation observation, double[] activations, int row) {
         int at = row + 1;
-        activations[at++] = distance(situation.nearestPill());
-        activations[at++] = distance(situation.nearestPowerPill());
-        activations[at++] = distance(situation.nearestJunction());
-        for (int n = 0; n < Situation.GHOSTS; n++) {
-            int ghost = situation.nthNearestGhost(n);
+        activations[at++] = distance(observation.nearestPill());
+        activations[at++] = distance(observation.nearestPowerPill());
+        activations[at++] = distance(observation.nearestJunction());
+        for (int n = 0; n < Observation.GHOSTS; n++) {
+            int ghost = observation.nthNearestGhost(n);
             boolean exists = ghost >= 0;
-            activations[at++] = distance(exists ? situation.distanceToGhost(ghost) : -1);
+            activations[at++] = distance(exists ? observation.distanceToGhost(ghost) : -1);
             if (incoming) {
-                activations[at++] = flag[exists && situation.isApproaching(ghost) ? 1 : 0];
+                activations[at++] = flag[exists && observation.isApproaching(ghost) ? 1 : 0];
             }
             if (trapped) {
-                activations[at++] = flag[exists && situation.isTrapped(ghost) ? 1 : 0];
+                activations[at++] = flag[exists && observation.isTrapped(ghost) ? 1 : 0];
             }
             if (edible) {
-                activations[at++] = flag[exists && situation.isEdible(ghost) ? 1 : 0];
+                activations[at++] = flag[exists && observation.isEdible(ghost) ? 1 : 0];
             }
         }
-        activations[at++] = pills[situation.mostPillsAhead()];
-        activations[at] = junctions[situation.mostJunctionsAhead()];
+        activations[at++] = pills[observation.mostPillsAhead()];
+        activations[at] = junctions[observation.mostJunctionsAhead()];
         if (optionsInput >= 0) {
-            activations[row + optionsInput] = options[situation.safeOptionsAfterJunction()];
+            activations[row + optionsInput] = options[observation.safeOptionsAfterJunction()];
         }
     }
 

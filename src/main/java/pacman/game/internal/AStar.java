@@ -1,5 +1,7 @@
 package pacman.game.internal;
 
+import pacman.maze.MazeGraph;
+import pacman.maze.NonReversingSearch;
 import java.util.Arrays;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;

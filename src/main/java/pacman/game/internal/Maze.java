@@ -1,5 +1,9 @@
 package pacman.game.internal;
 
+import pacman.maze.MazeGraph;
+import pacman.maze.MazeTables;
+import pacman.maze.Mazes;
+
 /**
  * A maze, as competition entries see it. One object is shared by all games: do not modify its arrays.
  *
@@ -26,12 +30,17 @@ public final class Maze {
     /** Letter of the maze, or file name of a drawing. */
     public String name;
 
+    /** The shared view of a maze: always the same object for the same tables. */
+    public static Maze of(MazeTables tables) {
+        return tables.derived(Maze.class, Maze::new, Maze.class);
+    }
+
     /** One of the four mazes, 0 to 3. */
     public Maze(int index) {
         this(Mazes.standard().get(index));
     }
 
-    Maze(MazeTables tables) {
+    private Maze(MazeTables tables) {
         MazeGraph source = tables.graph();
         shortestPathDistances = tables.distances().triangular();
         pillIndices = source.pillNodes();

@@ -14,10 +14,10 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.zip.GZIPInputStream;
 import mmneat.GoldenData;
-import mmneat.mspacman.sensors.Senses;
+import mmneat.mspacman.sensors.NetworkInputs;
 import mmneat.mspacman.sensors.SensorSettings;
 import mmneat.mspacman.sensors.SensorSuite;
-import mmneat.mspacman.sensors.Situation;
+import mmneat.mspacman.sensors.Observation;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,8 +35,8 @@ class ModuleDivisionsTest {
         }
 
         @Override
-        public int module(Situation situation) {
-            return situation.game().getCurrentLevel() % 2;
+        public int module(Observation observation) {
+            return observation.game().getCurrentLevel() % 2;
         }
     }
 
@@ -46,7 +46,7 @@ class ModuleDivisionsTest {
     void divisions_nameTheOriginalsModule_inEveryRecordedState(String version) throws IOException {
         Path file = GoldenData.folder("sensors").resolve(version + ".jsonl.gz");
         ObjectMapper json = new ObjectMapper();
-        Senses senses = SensorSuite.of(SensorSettings.imprisoned()).newSenses();
+        NetworkInputs senses = SensorSuite.of(SensorSettings.imprisoned()).newInputs();
         try (BufferedReader lines = new BufferedReader(
                 new InputStreamReader(new GZIPInputStream(Files.newInputStream(file)), StandardCharsets.UTF_8))) {
             lines.readLine();
@@ -57,7 +57,7 @@ class ModuleDivisionsTest {
                 game.setGameState(state.get("state").asText());
                 senses.observe(game);
                 for (Map.Entry<String, JsonNode> mode : state.get("modes").properties()) {
-                    assertThat(ModuleDivisions.named(mode.getKey()).module(senses.situation()))
+                    assertThat(ModuleDivisions.named(mode.getKey()).module(senses.observation()))
                             .as("%s %s", state.get("id").asText(), mode.getKey())
                             .isEqualTo(mode.getValue().asInt());
                 }

@@ -1,6 +1,6 @@
 package mmneat.mspacman.sensors;
 
-import pacman.game.internal.MazeTables;
+import pacman.maze.MazeTables;
 
 /**
  * A maze of no symmetry, with what the competition's mazes do not have: junctions and pills close together, loops shorter than

@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import pacman.game.internal.MazeTables;
-import pacman.game.internal.Mazes;
+import pacman.maze.MazeTables;
+import pacman.maze.Mazes;
 
 /** Sensors that look up equal sensors that search, in 120,000 random states. */
 class FastSensorsTest {
@@ -42,13 +42,13 @@ class FastSensorsTest {
         ResumableRandom random = new ResumableRandom(maze.graph().nodeCount());
         SensorSuite suite = SensorSuite.of(settings);
         SensorTables tables = suite.tables(maze);
-        Senses senses = suite.newSenses();
+        NetworkInputs senses = suite.newInputs();
         for (int i = 0; i < states; i++) {
             RandomState state = new RandomState(maze.graph(), random);
             ReferenceSensors reference = new ReferenceSensors(maze, state);
             state.show(senses, tables);
             for (int d = 0; d < 4; d++) {
-                if (senses.situation().isOpen(d)) {
+                if (senses.observation().isOpen(d)) {
                     double[] expected = reference.inputs(d, settings);
                     double[] inputs = senses.inputs(d);
                     if (!Arrays.equals(inputs, expected)) {

@@ -32,7 +32,7 @@ class GoldenSensorsTest {
         Path file = GoldenData.folder("sensors").resolve(version + ".jsonl.gz");
         SensorSuite suite =
                 SensorSuite.of(version.equals("blended") ? SensorSettings.blended() : SensorSettings.imprisoned());
-        Senses senses = suite.newSenses();
+        NetworkInputs senses = suite.newInputs();
         ObjectMapper json = new ObjectMapper();
         try (BufferedReader lines = new BufferedReader(
                 new InputStreamReader(new GZIPInputStream(Files.newInputStream(file)), StandardCharsets.UTF_8))) {
@@ -48,14 +48,14 @@ class GoldenSensorsTest {
         }
     }
 
-    private static int compare(SensorSuite suite, Senses senses, JsonNode state) {
+    private static int compare(SensorSuite suite, NetworkInputs senses, JsonNode state) {
         Game game = new Game(0, GameRules.blended());
         game.setGameState(state.get("state").asText());
         senses.observe(game);
         int vectors = 0;
         for (MOVE move : List.of(MOVE.UP, MOVE.RIGHT, MOVE.DOWN, MOVE.LEFT)) {
             JsonNode expected = state.get("inputs").get(move.name());
-            assertThat(senses.situation().isOpen(move.ordinal())).isEqualTo(expected != null);
+            assertThat(senses.observation().isOpen(move.ordinal())).isEqualTo(expected != null);
             if (expected != null) {
                 vectors++;
                 double[] inputs = senses.inputs(move.ordinal()).clone();

@@ -3,7 +3,7 @@ package mmneat.mspacman.sensors;
 import java.util.ArrayList;
 import java.util.List;
 import mmneat.random.ResumableRandom;
-import pacman.game.internal.MazeGraph;
+import pacman.maze.MazeGraph;
 
 /** Positions, timers and pills drawn at random: legal for sensors, not necessarily reachable in a game. */
 final class RandomState {
@@ -104,18 +104,18 @@ final class RandomState {
     }
 
     /** Shows the state to sensors. */
-    void show(Senses senses, SensorTables tables) {
-        Situation situation = senses.situation();
-        situation.enter(tables, 0);
-        situation.placePacMan(pacMan);
+    void show(NetworkInputs senses, SensorTables tables) {
+        Observation observation = senses.observation();
+        observation.enter(tables, 0);
+        observation.placePacMan(pacMan);
         for (int word = 0; word < pills.length; word++) {
-            situation.setPills(word, pills[word]);
+            observation.setPills(word, pills[word]);
         }
-        situation.setPowerPills(powerPills);
+        observation.setPowerPills(powerPills);
         for (int ghost = 0; ghost < 4; ghost++) {
-            situation.placeGhost(ghost, ghostNode[ghost], edible[ghost], lair[ghost], lastMove[ghost]);
+            observation.placeGhost(ghost, ghostNode[ghost], edible[ghost], lair[ghost], lastMove[ghost]);
         }
-        situation.conclude();
+        observation.conclude();
         senses.senseCommon();
     }
 

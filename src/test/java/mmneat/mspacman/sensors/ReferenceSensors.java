@@ -5,10 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import pacman.game.internal.MazeDistances;
-import pacman.game.internal.MazeGraph;
-import pacman.game.internal.MazePaths;
-import pacman.game.internal.MazeTables;
+import pacman.maze.MazeDistances;
+import pacman.maze.MazeGraph;
+import pacman.maze.MazePaths;
+import pacman.maze.MazeTables;
 
 /**
  * The sensors in their plainest form: searching, listing and comparing whole paths, as

@@ -25,9 +25,9 @@ class SensorSuiteTest {
         }
 
         @Override
-        public double sense(Situation situation) {
-            Game game = situation.game();
-            return game.getManhattanDistance(situation.pacManNode(), game.getGhostInitialNodeIndex()) / 200.0;
+        public double sense(Observation observation) {
+            Game game = observation.game();
+            return game.getManhattanDistance(observation.pacManNode(), game.getGhostInitialNodeIndex()) / 200.0;
         }
     }
 
@@ -39,8 +39,8 @@ class SensorSuiteTest {
         }
 
         @Override
-        public double sense(Situation situation) {
-            return situation.direction() / 4.0;
+        public double sense(Observation observation) {
+            return observation.direction() / 4.0;
         }
     }
 
@@ -95,7 +95,7 @@ class SensorSuiteTest {
         for (boolean fast : new boolean[] {true, false}) {
             Sensor[] own = {new ExitDistance(), new DirectionNumber()};
             SensorSuite suite = SensorSuite.of(fast ? blendedWith(own) : everything(List.of(own)));
-            Senses senses = suite.newSenses();
+            NetworkInputs senses = suite.newInputs();
             Game game = new Game(0, GameRules.blended());
             senses.observe(game);
             int left = MOVE.LEFT.ordinal();
@@ -116,16 +116,16 @@ class SensorSuiteTest {
     @Test
     void nthNearestJunction_isNeverNearerThanTheOneBefore_andTheFirstIsTheNearest() {
         SensorSuite suite = SensorSuite.of(everything(List.of()));
-        Senses senses = suite.newSenses();
+        NetworkInputs senses = suite.newInputs();
         senses.observe(new Game(0, GameRules.blended()));
-        Situation situation = senses.situation();
-        situation.face(MOVE.LEFT.ordinal());
+        Observation observation = senses.observation();
+        observation.face(MOVE.LEFT.ordinal());
 
-        assertThat(situation.nthNearestJunction(0)).isEqualTo(situation.nearestJunction());
+        assertThat(observation.nthNearestJunction(0)).isEqualTo(observation.nearestJunction());
         for (int n = 1; n < 38; n++) {
-            assertThat(situation.nthNearestJunction(n)).isGreaterThanOrEqualTo(situation.nthNearestJunction(n - 1));
+            assertThat(observation.nthNearestJunction(n)).isGreaterThanOrEqualTo(observation.nthNearestJunction(n - 1));
         }
-        assertThat(situation.nthNearestJunction(38)).isEqualTo(-1);
+        assertThat(observation.nthNearestJunction(38)).isEqualTo(-1);
     }
 
     @Test

@@ -1,4 +1,4 @@
-package pacman.game.internal;
+package pacman.maze;
 
 /**
  * Finds the nearest pill or power pill that is present, from any node of a maze. Immutable.

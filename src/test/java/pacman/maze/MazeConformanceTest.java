@@ -1,7 +1,9 @@
-package pacman.game.internal;
+package pacman.maze;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import pacman.game.internal.Maze;
+import pacman.game.internal.Node;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;

@@ -1,5 +1,7 @@
 package mmneat.mspacman.sensors;
 
+import pacman.maze.PathTables;
+import pacman.maze.Routes;
 import java.util.Arrays;
 import pacman.game.Game;
 
@@ -8,11 +10,11 @@ import pacman.game.Game;
  *
  * <p>Directions are numbered UP 0, RIGHT 1, DOWN 2, LEFT 3; ghosts Blinky 0, Pinky 1, Inky 2, Sue 3. Distances are in steps,
  * times in steps. All paths are the simulator's (docs/specification/simulator.md, sections 4.3 and 4.4). One thread
- * uses a situation.
+ * uses an observation.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4.
  */
-public final class Situation {
+public final class Observation {
 
     /*
      * What depends on the state alone is found once per time step (observe), what depends on the direction once per direction
@@ -28,7 +30,7 @@ public final class Situation {
     private Game game;
     private SensorTables tables;
     private PathTables paths;
-    private Ways ways;
+    private Routes routes;
 
     // The state.
     private int mazeIndex;
@@ -45,7 +47,7 @@ public final class Situation {
     private int powerPillsLeft;
 
     // What follows from the state.
-    private final long[] ghostWay = new long[GHOSTS];
+    private final long[] ghostRoute = new long[GHOSTS];
     private final int[] ghostPlace = new int[GHOSTS];
     private final int[] ghostPathLength = new int[GHOSTS];
     /** Per ghost, the number of steps in which it cannot stop her. */
@@ -59,7 +61,7 @@ public final class Situation {
 
     // What follows from the direction.
     private int direction;
-    private long way;
+    private long route;
     private int least;
     private final int[] ghostDistance = new int[GHOSTS];
 
@@ -106,9 +108,9 @@ public final class Situation {
         }
         tables = maze;
         paths = maze.paths;
-        ways = maze.ways;
+        routes = maze.routes;
         activePills = new long[maze.graph.pillWords()];
-        int rows = ways.rowCount();
+        int rows = routes.rowCount();
         if (firstActiveRank.length < rows) {
             firstActiveRank = new int[rows];
         }
@@ -147,7 +149,7 @@ public final class Situation {
         ghostNode[ghost] = atNode;
         edibleTime[ghost] = edible;
         lairTime[ghost] = lair;
-        ghostWay[ghost] = lair > 0 ? 0 : ways.continuing(atNode, lastMove);
+        ghostRoute[ghost] = lair > 0 ? 0 : routes.continuing(atNode, lastMove);
     }
 
     /** Finds what follows from the state, once everything is set. */
@@ -169,10 +171,10 @@ public final class Situation {
                 threats++;
             }
             if (isOutside(ghost)) {
-                int approach = paths.approach(ghostWay[ghost], node);
+                int approach = paths.approach(ghostRoute[ghost], node);
                 ghostPathLength[ghost] = PathTables.lengthOf(approach);
                 neighboursPassed[ghost] = PathTables.neighboursOf(approach);
-                ghostPlace[ghost] = ways.place(ghostNode[ghost]);
+                ghostPlace[ghost] = routes.place(ghostNode[ghost]);
             }
             harmless[ghost] = safety.harmlessSteps(ghost);
             harmlessSteps = Math.min(harmlessSteps, harmless[ghost]);
@@ -182,15 +184,15 @@ public final class Situation {
     /** Turns to an open direction; what sensors sense afterwards is for this direction. */
     public void face(int newDirection) {
         direction = newDirection;
-        way = ways.leaving(node, newDirection);
+        route = routes.leaving(node, newDirection);
         int sideways = 0b1010 >> (newDirection & 1) & 0b1111;
         least = (open & sideways) == 0 ? 0 : 1;
         ghostsOutside = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             orderKeys[ghost] = Integer.MAX_VALUE;
             if (isOutside(ghost)) {
-                int ahead = Ways.aheadOfPlace(way, ghostPlace[ghost]);
-                int distance = ahead >= least ? ahead : paths.lengthBeyond(way, ghostNode[ghost]);
+                int ahead = Routes.aheadOfPlace(route, ghostPlace[ghost]);
+                int distance = ahead >= least ? ahead : paths.lengthBeyond(route, ghostNode[ghost]);
                 stepsAhead[ghost] = ahead;
                 ghostDistance[ghost] = distance;
                 orderKeys[ghost] = (distance - 1 & FARTHEST) << 2 | ghost;
@@ -225,8 +227,8 @@ public final class Situation {
     }
 
     /** How Ms. Pac-Man leaves her node in the direction that is looked at. */
-    long way() {
-        return way;
+    long route() {
+        return route;
     }
 
     /** 0 if a target on her own node is reached by no step in this direction, 1 if only by a way around. */
@@ -235,8 +237,8 @@ public final class Situation {
     }
 
     /** How a ghost outside the lair goes on. */
-    long ghostWay(int ghost) {
-        return ghostWay[ghost];
+    long ghostRoute(int ghost) {
+        return ghostRoute[ghost];
     }
 
     /** Whether a ghost outside the lair is in the corridor before the next junction. */
@@ -380,10 +382,10 @@ public final class Situation {
         if (ahead > 0) {
             return ahead;
         }
-        int row = Ways.row(way);
+        int row = Routes.row(route);
         int rank = tables.pills.firstActive(row, firstActiveRank[row], activePills);
         firstActiveRank[row] = rank;
-        return Ways.steps(way) + paths.rowLength(row, tables.pills.node(row, rank));
+        return Routes.steps(route) + paths.rowLength(row, tables.pills.node(row, rank));
     }
 
     /** Steps in this direction to the nearest active power pill, or -1 if none is left. */
@@ -391,7 +393,7 @@ public final class Situation {
         int nearest = -1;
         for (long left = activePowerPills; left != 0; left &= left - 1) {
             int at = tables.graph.powerPillNode(Long.numberOfTrailingZeros(left));
-            int length = paths.length(way, least, at);
+            int length = paths.length(route, least, at);
             if (nearest < 0 || length < nearest) {
                 nearest = length;
             }
@@ -401,7 +403,7 @@ public final class Situation {
 
     /** Steps in this direction to the next junction. */
     public int nearestJunction() {
-        return Ways.steps(way);
+        return Routes.steps(route);
     }
 
     /**
@@ -425,7 +427,7 @@ public final class Situation {
         int notFarther = 0;
         int next = Integer.MAX_VALUE;
         for (int j = 0; j < tables.graph.junctionCount(); j++) {
-            int length = paths.length(way, least, tables.graph.junctionNode(j));
+            int length = paths.length(route, least, tables.graph.junctionNode(j));
             if (length <= before) {
                 notFarther++;
             } else {
@@ -454,7 +456,7 @@ public final class Situation {
         return ghostDistance[ghost];
     }
 
-    /** Whether a ghost outside the lair is on a way to Ms. Pac-Man that comes in from this direction. */
+    /** Whether a ghost outside the lair is on a path to Ms. Pac-Man that comes in from this direction. */
     public boolean isApproaching(int ghost) {
         return (neighboursPassed[ghost] >> direction & 1) != 0;
     }

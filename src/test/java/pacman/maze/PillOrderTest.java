@@ -1,4 +1,4 @@
-package pacman.game.internal;
+package pacman.maze;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package pacman.game.internal;
+package pacman.maze;
 
 import java.util.ArrayList;
 import java.util.Collections;

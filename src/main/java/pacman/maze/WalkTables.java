@@ -1,15 +1,14 @@
-package mmneat.mspacman.sensors;
+package pacman.maze;
 
 import java.util.ArrayList;
 import java.util.List;
-import pacman.game.internal.MazeGraph;
 
 /**
  * All walks of a given number of steps that start in a direction and never turn back, and what they meet.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4.7; the paper's "30 steps ahead".
  */
-final class WalkTables {
+public final class WalkTables {
 
     /*
      * Of a walk only the set of pills on it matters: a bit mask. A walk whose pills all lie on another walk is left out. The
@@ -32,7 +31,7 @@ final class WalkTables {
     private final byte[] junctions;
 
     /** Walks of so many steps in a maze. */
-    WalkTables(MazeGraph graph, int depth) {
+    public WalkTables(MazeGraph graph, int depth) {
         words = graph.pillWords();
         first = new int[4 * graph.nodeCount() + 1];
         junctions = new byte[4 * graph.nodeCount()];
@@ -60,7 +59,7 @@ final class WalkTables {
      *
      * @param active bits of the active pills
      */
-    int mostPills(int node, int direction, long[] active) {
+    public int mostPills(int node, int direction, long[] active) {
         int most = 0;
         int end = first[4 * node + direction + 1] * words;
         int at = first[4 * node + direction] * words;
@@ -75,7 +74,7 @@ final class WalkTables {
     }
 
     /** The most junctions on a walk. */
-    int mostJunctions(int node, int direction) {
+    public int mostJunctions(int node, int direction) {
         return junctions[4 * node + direction];
     }
 

@@ -1,7 +1,6 @@
-package mmneat.mspacman.sensors;
+package pacman.maze;
 
 import java.util.Arrays;
-import pacman.game.internal.MazeGraph;
 
 /**
  * The corridors of a maze: chains of nodes with two neighbours, from junction to junction.
@@ -9,10 +8,10 @@ import pacman.game.internal.MazeGraph;
  * <p>The nodes of a corridor are numbered by position from 0; position -1 and the position behind the last one stand for the
  * junctions at its ends. Directions are numbered UP 0, RIGHT 1, DOWN 2, LEFT 3.
  */
-final class CorridorPositions {
+public final class CorridorPositions {
 
     /** No node, no corridor. */
-    static final int NONE = -1;
+    public static final int NONE = -1;
 
     private final MazeGraph graph;
 
@@ -24,7 +23,7 @@ final class CorridorPositions {
 
     private final int[] positionOf;
 
-    CorridorPositions(MazeGraph graph) {
+    public CorridorPositions(MazeGraph graph) {
         this.graph = graph;
         corridorOf = new int[graph.nodeCount()];
         positionOf = new int[graph.nodeCount()];
@@ -57,27 +56,27 @@ final class CorridorPositions {
     }
 
     /** Corridor of a node, {@link #NONE} for junctions and the lair. */
-    int corridorOf(int node) {
+    public int corridorOf(int node) {
         return corridorOf[node];
     }
 
     /** Position of a node in its corridor. */
-    int positionOf(int node) {
+    public int positionOf(int node) {
         return positionOf[node];
     }
 
     /** Number of nodes of a corridor. */
-    int length(int corridor) {
+    public int length(int corridor) {
         return nodes[corridor].length;
     }
 
     /** The node at a position of a corridor. */
-    int node(int corridor, int position) {
+    public int node(int corridor, int position) {
         return nodes[corridor][position];
     }
 
     /** The direction in which a corridor goes on at a node that was entered by a move. */
-    static int onward(MazeGraph graph, int node, int move) {
+    public static int onward(MazeGraph graph, int node, int move) {
         int d = 0;
         while (d == opposite(move) || graph.neighbour(node, d) == NONE) {
             d++;
@@ -85,7 +84,7 @@ final class CorridorPositions {
         return d;
     }
 
-    static int opposite(int direction) {
+    public static int opposite(int direction) {
         return direction ^ 2;
     }
 }

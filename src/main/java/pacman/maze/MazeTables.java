@@ -1,4 +1,4 @@
-package pacman.game.internal;
+package pacman.maze;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -25,9 +25,7 @@ public final class MazeTables {
      */
     private volatile MazeDistances distances;
     private volatile MazePaths paths;
-    private volatile NodeMoves moves;
     private volatile PillOrder pillOrder;
-    private volatile Maze maze;
 
     private final Map<Object, Object> derived = new ConcurrentHashMap<>();
 
@@ -37,14 +35,15 @@ public final class MazeTables {
     }
 
     /**
-     * What somebody else computes from the maze alone: made when it is first asked for, shared from then on.
+     * Returns an object that depends on the maze alone; computed on the first request, shared from then on.
      *
      * @param key names it among all that is derived from this maze, by its class and content
      * @param maker computes it; must not ask for what is derived from this maze itself
      * @param type of what it computes
      */
     public <T> T derived(Object key, Function<MazeTables, T> maker, Class<T> type) {
-        return type.cast(derived.computeIfAbsent(key, missing -> maker.apply(this)));
+        Object known = derived.get(key);
+        return type.cast(known != null ? known : derived.computeIfAbsent(key, missing -> maker.apply(this)));
     }
 
     /**
@@ -116,19 +115,6 @@ public final class MazeTables {
         return paths;
     }
 
-    /** Open directions of each node. */
-    public NodeMoves moves() {
-        NodeMoves known = moves;
-        return known != null ? known : makeMoves();
-    }
-
-    private synchronized NodeMoves makeMoves() {
-        if (moves == null) {
-            moves = new NodeMoves(graph);
-        }
-        return moves;
-    }
-
     /** Pills in the order of their distance from each node. */
     public PillOrder pillOrder() {
         PillOrder known = pillOrder;
@@ -142,24 +128,9 @@ public final class MazeTables {
         return pillOrder;
     }
 
-    /** Makes what is made when it is first asked for. */
-    void prepare() {
+    /** Computes the tables that are otherwise computed on their first request. */
+    public void prepare() {
         paths();
-        moves();
         pillOrder();
-        maze();
-    }
-
-    /** The maze as competition entries see it. */
-    public Maze maze() {
-        Maze known = maze;
-        return known != null ? known : makeMaze();
-    }
-
-    private synchronized Maze makeMaze() {
-        if (maze == null) {
-            maze = new Maze(this);
-        }
-        return maze;
     }
 }

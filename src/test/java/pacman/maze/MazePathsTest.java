@@ -1,8 +1,10 @@
-package pacman.game.internal;
+package pacman.maze;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import pacman.game.internal.AStar;
+import pacman.game.internal.Maze;
 import java.util.Arrays;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
@@ -81,7 +83,7 @@ class MazePathsTest {
         assertThat(graph.pillCount()).isEqualTo(pills);
         assertThat(graph.powerPillCount()).isEqualTo(4);
         assertThat(graph.junctionCount()).isEqualTo(junctions);
-        assertThat(Arrays.stream(tables.maze().shortestPathDistances).max()).hasValue(farthest);
+        assertThat(Arrays.stream(Maze.of(tables).shortestPathDistances).max()).hasValue(farthest);
         int near = 0;
         for (int word = 0; word < graph.pillWords(); word++) {
             near += Long.bitCount(graph.pillsNearPowerPills(word));

@@ -1,28 +1,27 @@
-package mmneat.mspacman.sensors;
+package pacman.maze;
 
-import static mmneat.mspacman.sensors.CorridorPositions.NONE;
-import static mmneat.mspacman.sensors.CorridorPositions.opposite;
+import static pacman.maze.CorridorPositions.NONE;
+import static pacman.maze.CorridorPositions.opposite;
 
-import pacman.game.internal.MazeGraph;
 
 /**
- * How somebody on the way goes on: along which corridor, and what follows at its end.
+ * The precomputed continuations of paths that never turn back: corridor, length, and what follows at the end junction.
  *
  * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4.
  */
-final class Ways {
+public final class Routes {
 
     /*
-     * Whoever is on the way somewhere walks its corridor up to the next junction; there, the rest depends only on the junction
-     * and the move by which it was entered.
+     * A path that never turns back follows its corridor to the next junction. What comes after depends only on that junction
+     * and on the move that entered it. So only (junction, entering move) pairs need a table row, about 160 per maze:
      *
-     *   way   (one long) the corridor with the position it starts from, the steps to the junction at its end, and the row
-     *         for what follows. Ways exist for every node and direction, and for every node and last move.
-     *   row   number of a junction and arriving move (or none), about 160 in a maze.
+     *   route  one long: corridor, start position in it, steps to the junction at its end, row to continue with. Routes
+     *          exist for every node and direction, and for every node and last move.
+     *   row    number of a (junction, entering move) pair; the move may be none
      */
 
-    /** A last move that is none, for whoever has not moved yet. */
-    static final int NEUTRAL = 4;
+    /** The last move of a walker that has not moved yet. */
+    public static final int NEUTRAL = 4;
 
     private static final int STEPS_SHIFT = 16;
     private static final int CORRIDOR_SHIFT = 28;
@@ -35,7 +34,7 @@ final class Ways {
     private final CorridorPositions corridors;
     private final int nodes;
 
-    /** Corridor and position of each node, packed as in a way; junctions have corridor 0xFFE, which no way has. */
+    /** Corridor and position of each node, packed as in a route; junctions have corridor 0xFFE, which no route has. */
     private final int[] places;
 
     /** Way of going on from node v in direction d, at index 4 v + d. */
@@ -52,7 +51,7 @@ final class Ways {
 
     private final int[] rowArrival;
 
-    Ways(MazeGraph graph) {
+    public Routes(MazeGraph graph) {
         this.graph = graph;
         corridors = new CorridorPositions(graph);
         nodes = graph.nodeCount();
@@ -84,23 +83,23 @@ final class Ways {
                     ? (NO_CORRIDOR - 1) << 16
                     : corridors.corridorOf(v) << 16 | corridors.positionOf(v);
         }
-        leaving = waysOut();
-        continuing = waysOn();
+        leaving = routesOut();
+        continuing = routesOn();
     }
 
-    private long[] waysOut() {
-        long[] ways = new long[4 * nodes];
+    private long[] routesOut() {
+        long[] routes = new long[4 * nodes];
         for (int v = 0; v < nodes; v++) {
             for (int d = 0; d < 4; d++) {
                 if (graph.isOpen(v, d)) {
-                    ways[4 * v + d] = wayOut(v, d);
+                    routes[4 * v + d] = routeOut(v, d);
                 }
             }
         }
-        return ways;
+        return routes;
     }
 
-    private long wayOut(int from, int direction) {
+    private long routeOut(int from, int direction) {
         int first = graph.neighbour(from, direction);
         int corridor = NO_CORRIDOR;
         int start = 0;
@@ -130,35 +129,35 @@ final class Ways {
         int corridor = corridors.corridorOf(node);
         int position = corridors.positionOf(node);
         if (corridors.length(corridor) == 1) {
-            // Nothing in the corridor says which way positions run: the later direction leads up.
+            // Nothing in the corridor says which route positions run: the later direction leads up.
             return 1 << direction + 1 < graph.openDirections(node);
         }
         int next = graph.neighbour(node, direction);
         return graph.isJunction(next) ? position == 0 : corridors.positionOf(next) < position;
     }
 
-    private long[] waysOn() {
-        long[] ways = new long[5 * nodes];
+    private long[] routesOn() {
+        long[] routes = new long[5 * nodes];
         for (int v = 0; v < nodes; v++) {
             for (int m = 0; m <= NEUTRAL; m++) {
                 if (graph.isJunction(v)) {
-                    ways[5 * v + m] = pack(rowOf[5 * graph.junctionNumber(v) + m], 0, NO_CORRIDOR, 0, false);
+                    routes[5 * v + m] = pack(rowOf[5 * graph.junctionNumber(v) + m], 0, NO_CORRIDOR, 0, false);
                 } else if (corridors.corridorOf(v) != NONE) {
-                    ways[5 * v + m] = wayOn(v, m);
+                    routes[5 * v + m] = routeOn(v, m);
                 }
             }
         }
-        return ways;
+        return routes;
     }
 
-    /** The way that does not turn back; of two such ways the shorter one to a junction, the first on ties. */
-    private long wayOn(int node, int lastMove) {
+    /** The route that does not turn back; of two such routes the shorter one to a junction, the first on ties. */
+    private long routeOn(int node, int lastMove) {
         long best = 0;
         for (int d = 0; d < 4; d++) {
             if (graph.isOpen(node, d) && (lastMove == NEUTRAL || d != opposite(lastMove))) {
-                long way = leaving[4 * node + d];
-                if (best == 0 || steps(way) < steps(best)) {
-                    best = way;
+                long route = leaving[4 * node + d];
+                if (best == 0 || steps(route) < steps(best)) {
+                    best = route;
                 }
             }
         }
@@ -173,84 +172,84 @@ final class Ways {
                 | (backward ? BACKWARD : 0);
     }
 
-    /** Row of what follows at the end of a way. */
-    static int row(long way) {
-        return (int) way & 0xFFFF;
+    /** Row of what follows at the end of a route. */
+    public static int row(long route) {
+        return (int) route & 0xFFFF;
     }
 
-    /** Steps to the junction at the end of a way's corridor. */
-    static int steps(long way) {
-        return (int) (way >> STEPS_SHIFT) & FIELD_MASK;
+    /** Steps to the junction at the end of a route's corridor. */
+    public static int steps(long route) {
+        return (int) (route >> STEPS_SHIFT) & FIELD_MASK;
     }
 
-    private static int corridor(long way) {
-        return (int) (way >> CORRIDOR_SHIFT) & FIELD_MASK;
+    private static int corridor(long route) {
+        return (int) (route >> CORRIDOR_SHIFT) & FIELD_MASK;
     }
 
-    private static int start(long way) {
-        return ((int) (way >> START_SHIFT) & FIELD_MASK) - 1;
+    private static int start(long route) {
+        return ((int) (route >> START_SHIFT) & FIELD_MASK) - 1;
     }
 
-    /** 1 if a way goes up in the positions of its corridor, -1 if down. */
-    private static int sign(long way) {
-        return (way & BACKWARD) == 0 ? 1 : -1;
+    /** 1 if a route goes up in the positions of its corridor, -1 if down. */
+    private static int sign(long route) {
+        return (route & BACKWARD) == 0 ? 1 : -1;
     }
 
-    /** How somebody leaves a node in an open direction. */
-    long leaving(int node, int direction) {
+    /** The route that leaves a node in an open direction. */
+    public long leaving(int node, int direction) {
         return leaving[4 * node + direction];
     }
 
-    /** How somebody outside the lair goes on who may not turn back after a last move (4 for none). */
-    long continuing(int node, int lastMove) {
+    /** The route that continues from a node outside the lair after a last move (4 for none) without turning back. */
+    public long continuing(int node, int lastMove) {
         return continuing[5 * node + lastMove];
     }
 
-    /** The junction at the end of a way's corridor; where it starts if that is a junction and the way has no corridor yet. */
-    int junction(long way) {
-        return rowJunction[row(way)];
+    /** The junction at the end of a route's corridor; where it starts if that is a junction and the route has no corridor yet. */
+    public int junction(long route) {
+        return rowJunction[row(route)];
     }
 
     /** Number of rows: of different junctions with arriving moves. */
-    int rowCount() {
+    public int rowCount() {
         return rowJunction.length;
     }
 
-    int junctionOfRow(int row) {
+    public int junctionOfRow(int row) {
         return rowJunction[row];
     }
 
-    /** Whether two ways go along the same corridor in the same sense. */
-    static boolean isSameCourse(long way, long other) {
-        return ((way ^ other) & (BACKWARD | (long) FIELD_MASK << CORRIDOR_SHIFT)) == 0;
+    /** Whether two routes go along the same corridor in the same sense. */
+    public static boolean isSameCourse(long route, long other) {
+        return ((route ^ other) & (BACKWARD | (long) FIELD_MASK << CORRIDOR_SHIFT)) == 0;
     }
 
     /** The move by which a row's junction was entered, or {@link #NEUTRAL}. */
-    int arrivalOfRow(int row) {
+    public int arrivalOfRow(int row) {
         return rowArrival[row];
     }
 
     /**
-     * Positions that a target lies ahead in the corridor of a way: 0 if it is where the way starts.
+     * Positions that a target lies ahead in the corridor of a route: 0 if it is where the route starts.
      *
      * @return a number below 0 if the target is not in that corridor or lies behind
      */
-    int ahead(long way, int target) {
-        return aheadOfPlace(way, places[target]);
+    public int ahead(long route, int target) {
+        return aheadOfPlace(route, places[target]);
     }
 
     /** A node's corridor and position, for {@link #aheadOfPlace}. */
-    int place(int node) {
+    public int place(int node) {
         return places[node];
     }
 
     /** {@link #ahead} for a target whose place is known. */
-    static int aheadOfPlace(long way, int place) {
-        return place >> 16 == corridor(way) ? ((place & 0xFFFF) - start(way)) * sign(way) : -1;
+    public static int aheadOfPlace(long route, int place) {
+        return place >> 16 == corridor(route) ? ((place & 0xFFFF) - start(route)) * sign(route) : -1;
     }
 
-    /** The node so many steps along a way, before its junction. */
-    int corridorNode(long way, int step) {
-        return corridors.node(corridor(way), start(way) + step * sign(way));
+    /** The node so many steps along a route, before its junction. */
+    public int corridorNode(long route, int step) {
+        return corridors.node(corridor(route), start(route) + step * sign(route));
     }
 }

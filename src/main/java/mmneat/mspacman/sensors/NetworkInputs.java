@@ -4,21 +4,21 @@ import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import mmneat.neat.network.Tanh;
 import pacman.game.Game;
-import pacman.game.internal.MazeTables;
+import pacman.maze.MazeTables;
 
 /**
- * Senses games with the sensors of a suite: gives the inputs of a network for each direction. One thread uses it.
+ * Reads games with the sensors of a suite: gives the inputs of a network for each direction. One thread uses it.
  *
  * <p>Per time step the state is taken in once ({@link #observe}), then every open direction is sensed: either {@link #sense}
  * for the activations of input neurons, or {@link #inputs} for the values themselves.
  */
-public final class Senses {
+public final class NetworkInputs {
 
     private static final int DIRECTIONS = 4;
 
     private final SensorSuite suite;
     private final Sensor[] sensors;
-    private final Situation situation = new Situation();
+    private final Observation observation = new Observation();
 
     /** Inputs that do not depend on the direction. */
     private final int[] common;
@@ -43,7 +43,7 @@ public final class Senses {
     private MazeTables knownMaze;
     private SensorTables tables;
 
-    Senses(SensorSuite suite) {
+    NetworkInputs(SensorSuite suite) {
         this.suite = suite;
         sensors = suite.sensors().toArray(Sensor[]::new);
         common = inputsThat(i -> !sensors[i].isDirectional());
@@ -70,8 +70,8 @@ public final class Senses {
     }
 
     /** The state that was taken in last. */
-    public Situation situation() {
-        return situation;
+    public Observation observation() {
+        return observation;
     }
 
     /**
@@ -85,14 +85,14 @@ public final class Senses {
             knownMaze = maze;
             tables = suite.tables(maze);
         }
-        situation.observe(game, tables);
+        observation.observe(game, tables);
         senseCommon();
     }
 
-    /** Senses what does not depend on the direction, once the situation is known. */
+    /** Senses what does not depend on the direction, once the observation is known. */
     void senseCommon() {
         for (int i : common) {
-            double value = sensors[i].sense(situation);
+            double value = sensors[i].sense(observation);
             // These change seldom, so their tangents are kept.
             if (value != inputs[i]) {
                 inputs[i] = value;
@@ -110,24 +110,24 @@ public final class Senses {
      * @return one value per sensor, valid until the next call
      */
     public double[] inputs(int direction) {
-        situation.face(direction);
+        observation.face(direction);
         for (int i : directional) {
-            inputs[i] = sensors[i].sense(situation);
+            inputs[i] = sensors[i].sense(observation);
         }
         return inputs;
     }
 
     /** Finds the activations of input neurons for an open direction. */
     public void sense(int direction) {
-        situation.face(direction);
+        observation.face(direction);
         int row = direction * sensors.length;
         if (standard != null) {
-            standard.write(situation, activations, row);
+            standard.write(observation, activations, row);
         }
         for (int i : single) {
             activations[row + i] = tangents[i] != null
-                    ? tangents[i][((GradedSensor) sensors[i]).grade(situation)]
-                    : Tanh.of(sensors[i].sense(situation));
+                    ? tangents[i][((GradedSensor) sensors[i]).grade(observation)]
+                    : Tanh.of(sensors[i].sense(observation));
         }
     }
 

@@ -1,13 +1,12 @@
-package pacman.game.internal;
+package pacman.maze;
 
 import java.util.Arrays;
-import pacman.game.Constants.MOVE;
 
 /**
  * The graph of a maze: one node per pixel of the corridors' centre lines, one step long each, and the lair as the last node,
  * which no path reaches. Immutable.
  *
- * <p>Nodes are numbered by y, then x. Directions are the ordinals of {@link MOVE}: 0 up, 1 right, 2 down, 3 left. A
+ * <p>Nodes are numbered by y, then x. Directions are 0 up, 1 right, 2 down, 3 left. A
  * corridor pixel on the left border leads to the one on the right border in the same row: a tunnel.
  *
  * <p>Source: docs/specification/simulator.md, sections 1.2 and 7 (removePillsNearPowerPills).
@@ -15,8 +14,9 @@ import pacman.game.Constants.MOVE;
 public final class MazeGraph {
 
     /** Columns of the neighbour table: four directions and no move, so that looking up a move needs no test. */
-    static final int MOVES = 5;
+    public static final int MOVES = 5;
 
+    private static final int UP_OR_DOWN = 0b0101;
     private static final int[] STEP_X = {0, 1, 0, -1};
     private static final int[] STEP_Y = {-1, 0, 1, 0};
 
@@ -147,7 +147,7 @@ public final class MazeGraph {
     private void check(MazeDrawing drawing) {
         for (int node = 0; node < lair(); node++) {
             boolean atBorder = x[node] == 0 || x[node] == MazeDrawing.WIDTH - 1;
-            if (atBorder && (openDirections[node] & (1 << MOVE.UP.ordinal() | 1 << MOVE.DOWN.ordinal())) != 0) {
+            if (atBorder && (openDirections[node] & UP_OR_DOWN) != 0) {
                 throw drawing.errorAtPixel(
                         x[node], y[node], "corridor along the border: only tunnels, which run sideways, reach it");
             }
@@ -371,15 +371,18 @@ public final class MazeGraph {
         return neighbours;
     }
 
-    int[] pillNodes() {
+    /** A copy of the nodes of all pills, by number. */
+    public int[] pillNodes() {
         return pillNodes.clone();
     }
 
-    int[] powerPillNodes() {
+    /** A copy of the nodes of all power pills, by number. */
+    public int[] powerPillNodes() {
         return powerPillNodes.clone();
     }
 
-    int[] junctionNodes() {
+    /** A copy of the nodes of all junctions, by number. */
+    public int[] junctionNodes() {
         return junctionNodes.clone();
     }
 }

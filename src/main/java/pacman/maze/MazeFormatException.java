@@ -1,4 +1,4 @@
-package pacman.game.internal;
+package pacman.maze;
 
 /** A maze drawing that cannot be played; the message names file, line, column, tile and what to do. */
 public final class MazeFormatException extends IllegalArgumentException {

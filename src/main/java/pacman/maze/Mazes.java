@@ -1,4 +1,4 @@
-package pacman.game.internal;
+package pacman.maze;
 
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReferenceArray;
@@ -45,13 +45,6 @@ public final class Mazes {
     public MazeTables get(int index) {
         MazeTables known = tables.get(index);
         return known != null ? known : load(index);
-    }
-
-    /** Makes the tables that games look at, which otherwise are made when the first game needs them. */
-    public void prepare() {
-        for (int index = 0; index < count(); index++) {
-            get(index).prepare();
-        }
     }
 
     private synchronized MazeTables load(int index) {

@@ -1,4 +1,4 @@
-package pacman.game.internal;
+package pacman.maze;
 
 import java.util.Arrays;
 
@@ -12,10 +12,10 @@ import java.util.Arrays;
  *
  * <p>Source: docs/specification/simulator.md, section 4.3. One instance serves one thread.
  */
-final class NonReversingSearch {
+public final class NonReversingSearch {
 
     /** Estimated steps to the target. */
-    interface Estimate {
+    public interface Estimate {
         int steps(int from, int to);
     }
 
@@ -40,7 +40,7 @@ final class NonReversingSearch {
     private int[] heap = new int[64];
     private int size;
 
-    NonReversingSearch(short[] neighbours) {
+    public NonReversingSearch(short[] neighbours) {
         this.neighbours = neighbours;
         int nodes = neighbours.length / MazeGraph.MOVES;
         status = new byte[nodes];
@@ -57,7 +57,7 @@ final class NonReversingSearch {
      * <p>In a maze where two parts hang together by a single corridor the search can fail; then the path is an exact one. If there
      * is none, the target alone is the answer.
      */
-    int[] path(int start, int target, int startArrival, Estimate distance) {
+    public int[] path(int start, int target, int startArrival, Estimate distance) {
         Arrays.fill(status, FRESH);
         Arrays.fill(parent, -1);
         size = 0;

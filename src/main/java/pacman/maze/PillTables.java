@@ -1,18 +1,17 @@
-package mmneat.mspacman.sensors;
+package pacman.maze;
 
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
-import pacman.game.internal.MazeGraph;
 
 /**
- * In which order pills are met on the way from a node in a direction.
+ * In which order pills are met from a node in a direction.
  *
  * <p>The nearest pill in a direction is the first active one in the corridor ahead, else the first active one in the order of
  * the row that continues from the junction at its end (nearest first, then by pill number, as the simulator prefers them).
  */
-final class PillTables {
+public final class PillTables {
 
     private final int[] pillNodes;
 
@@ -25,7 +24,7 @@ final class PillTables {
     /** Pills in the order of row r, at index pills r + rank. */
     private final short[] order;
 
-    PillTables(MazeGraph graph, Ways ways, PathTables paths) {
+    public PillTables(MazeGraph graph, Routes routes, PathTables paths) {
         pillNodes = IntStream.range(0, graph.pillCount()).map(graph::pillNode).toArray();
         aheadFrom = new int[4 * graph.nodeCount() + 1];
         List<Integer> entries = new ArrayList<>();
@@ -39,8 +38,8 @@ final class PillTables {
         }
         aheadFrom[4 * graph.nodeCount()] = entries.size();
         ahead = entries.stream().mapToInt(Integer::intValue).toArray();
-        order = new short[ways.rowCount() * pillNodes.length];
-        for (int row = 0; row < ways.rowCount(); row++) {
+        order = new short[routes.rowCount() * pillNodes.length];
+        for (int row = 0; row < routes.rowCount(); row++) {
             int r = row;
             int[] sorted = IntStream.range(0, pillNodes.length)
                     .boxed()
@@ -74,7 +73,7 @@ final class PillTables {
      * @param active bits of the active pills
      * @return 0 if there is none
      */
-    int stepsToPillAhead(int node, int direction, long[] active) {
+    public int stepsToPillAhead(int node, int direction, long[] active) {
         for (int i = aheadFrom[4 * node + direction]; i < aheadFrom[4 * node + direction + 1]; i++) {
             int pill = ahead[i] & 0xFFFF;
             if ((active[pill >> 6] >>> pill & 1) != 0) {
@@ -90,7 +89,7 @@ final class PillTables {
      * @param rank where to start: no pill before it is active
      * @param active bits of the active pills; at least one
      */
-    int firstActive(int row, int rank, long[] active) {
+    public int firstActive(int row, int rank, long[] active) {
         int base = row * pillNodes.length;
         int at = rank;
         while ((active[order[base + at] >> 6] >>> order[base + at] & 1) == 0) {
@@ -100,7 +99,7 @@ final class PillTables {
     }
 
     /** Node of the pill with a rank in a row's order. */
-    int node(int row, int rank) {
+    public int node(int row, int rank) {
         return pillNodes[order[row * pillNodes.length + rank]];
     }
 }

@@ -1,6 +1,5 @@
-package mmneat.mspacman.sensors;
+package pacman.maze;
 
-import pacman.game.internal.MazeGraph;
 
 /**
  * The junctions beyond the next one: where the moves at the next junction lead, the paths to there, and which of the moves lead
@@ -8,12 +7,12 @@ import pacman.game.internal.MazeGraph;
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4.10.
  */
-final class OnwardJunctions {
+public final class OnwardJunctions {
 
     /*
      * From the next junction on everything depends only on the row, that is, on this junction and the move that enters it.
      * Per row and onward move there are the junction that is reached next, and the path there from the row's junction: its
-     * length and the set of its nodes, as bits. Which moves lead back depends on Ms. Pac-Man's node: four bits for each way
+     * length and the set of its nodes, as bits. Which moves lead back depends on Ms. Pac-Man's node: four bits for each direction
      * of leaving it.
      */
 
@@ -37,10 +36,10 @@ final class OnwardJunctions {
     /** Moves, as bits, that lead on from the next junction and not back, for node v and direction d at index 4 v + d. */
     private final byte[] moves;
 
-    OnwardJunctions(MazeGraph graph, Ways ways, PathTables paths) {
+    public OnwardJunctions(MazeGraph graph, Routes routes, PathTables paths) {
         this.graph = graph;
         words = (graph.nodeCount() + 63) / 64;
-        int rows = ways.rowCount();
+        int rows = routes.rowCount();
         junctions = new int[4 * rows];
         lengths = new int[4 * rows];
         longest = new int[rows];
@@ -49,24 +48,24 @@ final class OnwardJunctions {
         int[] path = new int[PathTables.LONGEST * graph.nodeCount()];
         for (int row = 0; row < rows; row++) {
             for (int m = 0; m < 4; m++) {
-                fillOnward(ways, paths, row, m, path);
+                fillOnward(routes, paths, row, m, path);
             }
         }
         for (int v = 0; v < graph.lair(); v++) {
             for (int d = 0; d < 4; d++) {
                 if (graph.isOpen(v, d)) {
-                    moves[4 * v + d] = (byte) movesOn(ways, v, d);
+                    moves[4 * v + d] = (byte) movesOn(routes, v, d);
                 }
             }
         }
     }
 
-    private void fillOnward(Ways ways, PathTables paths, int row, int move, int[] path) {
-        int from = ways.junctionOfRow(row);
+    private void fillOnward(Routes routes, PathTables paths, int row, int move, int[] path) {
+        int from = routes.junctionOfRow(row);
         int index = 4 * row + move;
         junctions[index] = CorridorPositions.NONE;
         if (graph.isOpen(from, move)) {
-            junctions[index] = ways.junction(ways.leaving(from, move));
+            junctions[index] = routes.junction(routes.leaving(from, move));
             lengths[index] = paths.rowPath(row, junctions[index], path, 0);
             longest[row] = Math.max(longest[row], lengths[index]);
             for (int i = 0; i < lengths[index]; i++) {
@@ -75,14 +74,14 @@ final class OnwardJunctions {
         }
     }
 
-    private int movesOn(Ways ways, int node, int direction) {
-        int next = ways.junction(ways.leaving(node, direction));
+    private int movesOn(Routes routes, int node, int direction) {
+        int next = routes.junction(routes.leaving(node, direction));
         int bits = 0;
         for (int m = 0; m < 4; m++) {
             if (graph.isOpen(next, m)) {
-                long way = ways.leaving(next, m);
-                // The way back is excluded because she is on it or at its end.
-                if (ways.junction(way) != node && ways.ahead(way, node) < 0) {
+                long route = routes.leaving(next, m);
+                // The route back is excluded because she is on it or at its end.
+                if (routes.junction(route) != node && routes.ahead(route, node) < 0) {
                     bits |= 1 << m;
                 }
             }
@@ -91,32 +90,32 @@ final class OnwardJunctions {
     }
 
     /** Moves, as bits, that lead on from the next junction in a direction. */
-    int moves(int node, int direction) {
+    public int moves(int node, int direction) {
         return moves[4 * node + direction];
     }
 
     /** Number of the path by an onward move of a row. */
-    static int path(int row, int move) {
+    public static int path(int row, int move) {
         return 4 * row + move;
     }
 
     /** Junction at the end of an onward path. */
-    int end(int path) {
+    public int end(int path) {
         return junctions[path];
     }
 
     /** Steps of an onward path. */
-    int length(int path) {
+    public int length(int path) {
         return lengths[path];
     }
 
     /** Steps of the longest onward path of a row. */
-    int longest(int row) {
+    public int longest(int row) {
         return longest[row];
     }
 
     /** Whether a node lies on an onward path, its end included. */
-    boolean passes(int path, int node) {
+    public boolean passes(int path, int node) {
         return (nodes[path * words + (node >> 6)] >>> node & 1) != 0;
     }
 }

@@ -1,11 +1,9 @@
-package mmneat.mspacman.sensors;
+package pacman.maze;
 
-import static mmneat.mspacman.sensors.CorridorPositions.NONE;
-import static mmneat.mspacman.sensors.CorridorPositions.opposite;
+import static pacman.maze.CorridorPositions.NONE;
+import static pacman.maze.CorridorPositions.opposite;
 
 import java.util.Arrays;
-import pacman.game.internal.MazeGraph;
-import pacman.game.internal.MazeTables;
 
 /**
  * Lengths and nodes of the simulator's paths in one maze, looked up instead of searched.
@@ -15,10 +13,10 @@ import pacman.game.internal.MazeTables;
  *
  * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4; docs/specification/mspacman-task.md, section 4.3.
  */
-final class PathTables {
+public final class PathTables {
 
     /*
-     * A path goes along a way (Ways) to the junction at the end of its corridor; what follows there depends on the way's row
+     * A path goes along a route (Routes) to the junction at the end of its corridor; what follows there depends on the route's row
      * alone: for every row and target there are the length of the path and which of the target's neighbours lie on it. About 160
      * rows of 1300 chars, 0.4 MB a maze, instead of 13 MB for all pairs.
      *
@@ -26,13 +24,13 @@ final class PathTables {
      */
 
     /** A path passes every node at most so often: leg, path between junctions, leg. */
-    static final int LONGEST = 3;
+    public static final int LONGEST = 3;
 
     private static final int LENGTH_BITS = 11;
     private static final int LENGTH_MASK = (1 << LENGTH_BITS) - 1;
 
     private final MazeGraph graph;
-    private final Ways ways;
+    private final Routes routes;
     private final int nodes;
 
     /** Whether a neighbour of a node is a junction. */
@@ -47,12 +45,12 @@ final class PathTables {
     /** Length of the undirected path between junctions, by junction numbers. */
     private final int[][] undirected;
 
-    PathTables(MazeTables maze, Ways ways) {
-        this.ways = ways;
+    public PathTables(MazeTables maze, Routes routes) {
+        this.routes = routes;
         graph = maze.graph();
         nodes = graph.nodeCount();
         int junctions = graph.junctionCount();
-        int count = ways.rowCount();
+        int count = routes.rowCount();
         besideJunction = new boolean[nodes];
         for (int j = 0; j < junctions; j++) {
             for (int d = 0; d < 4; d++) {
@@ -65,12 +63,12 @@ final class PathTables {
         undirected = new int[junctions][junctions];
         for (int row = 0; row < count; row++) {
             for (int k = 0; k < junctions; k++) {
-                junctionPaths[row][k] = ways.junctionOfRow(row) == graph.junctionNode(k)
+                junctionPaths[row][k] = routes.junctionOfRow(row) == graph.junctionNode(k)
                         ? new int[0]
                         : maze.paths()
-                                .directedPath(ways.junctionOfRow(row), graph.junctionNode(k), ways.arrivalOfRow(row));
-                if (ways.arrivalOfRow(row) == Ways.NEUTRAL) {
-                    undirected[graph.junctionNumber(ways.junctionOfRow(row))][k] = junctionPaths[row][k].length;
+                                .directedPath(routes.junctionOfRow(row), graph.junctionNode(k), routes.arrivalOfRow(row));
+                if (routes.arrivalOfRow(row) == Routes.NEUTRAL) {
+                    undirected[graph.junctionNumber(routes.junctionOfRow(row))][k] = junctionPaths[row][k].length;
                 }
             }
         }
@@ -81,27 +79,27 @@ final class PathTables {
     // ---- Lengths ----
 
     /**
-     * Length of the path along a way to a target.
+     * Length of the path along a route to a target.
      *
-     * @param least 0 if a target at the way's start is reached by no step, 1 if only by a way around
+     * @param least 0 if a target at the route's start is reached by no step, 1 if only by a way around
      */
-    int length(long way, int least, int target) {
-        int ahead = ways.ahead(way, target);
-        return ahead >= least ? ahead : lengthBeyond(way, target);
+    public int length(long route, int least, int target) {
+        int ahead = routes.ahead(route, target);
+        return ahead >= least ? ahead : lengthBeyond(route, target);
     }
 
-    /** Length of the path along a way to a target that is not in the corridor ahead. */
-    int lengthBeyond(long way, int target) {
-        return Ways.steps(way) + (rows[Ways.row(way) * nodes + target] & LENGTH_MASK);
+    /** Length of the path along a route to a target that is not in the corridor ahead. */
+    public int lengthBeyond(long route, int target) {
+        return Routes.steps(route) + (rows[Routes.row(route) * nodes + target] & LENGTH_MASK);
     }
 
     /** Length of the path from a row's junction to a target. */
-    int rowLength(int row, int target) {
+    public int rowLength(int row, int target) {
         return rows[row * nodes + target] & LENGTH_MASK;
     }
 
     /** Length of the simulator's undirected path, where neither end is the lair. */
-    int undirectedLength(int from, int to) {
+    public int undirectedLength(int from, int to) {
         if (from == to) {
             return 0;
         }
@@ -110,7 +108,7 @@ final class PathTables {
         }
         for (int d = 0; d < 4; d++) {
             if (graph.isOpen(from, d)) {
-                int along = alongCorridor(ways.leaving(from, d), to);
+                int along = alongCorridor(routes.leaving(from, d), to);
                 if (along > 0) {
                     return along;
                 }
@@ -119,16 +117,16 @@ final class PathTables {
         int shortest = Integer.MAX_VALUE;
         for (int d = 0; d < 4; d++) {
             if (graph.isOpen(from, d)) {
-                long leg = ways.leaving(from, d);
-                shortest = Math.min(shortest, Ways.steps(leg) + undirectedFromJunction(ways.junction(leg), to));
+                long leg = routes.leaving(from, d);
+                shortest = Math.min(shortest, Routes.steps(leg) + undirectedFromJunction(routes.junction(leg), to));
             }
         }
         return shortest;
     }
 
-    /** Steps to a target in the corridor of a way or to the junction at its end; below 0 if it is elsewhere. */
-    private int alongCorridor(long way, int target) {
-        return target == ways.junction(way) ? Ways.steps(way) : ways.ahead(way, target);
+    /** Steps to a target in the corridor of a route or to the junction at its end; below 0 if it is elsewhere. */
+    private int alongCorridor(long route, int target) {
+        return target == routes.junction(route) ? Routes.steps(route) : routes.ahead(route, target);
     }
 
     private int undirectedFromJunction(int junction, int to) {
@@ -139,8 +137,8 @@ final class PathTables {
         int shortest = Integer.MAX_VALUE;
         for (int d = 0; d < 4; d++) {
             if (graph.isOpen(to, d)) {
-                long leg = ways.leaving(to, d);
-                shortest = Math.min(shortest, lengths[graph.junctionNumber(ways.junction(leg))] + Ways.steps(leg));
+                long leg = routes.leaving(to, d);
+                shortest = Math.min(shortest, lengths[graph.junctionNumber(routes.junction(leg))] + Routes.steps(leg));
             }
         }
         return shortest;
@@ -149,21 +147,21 @@ final class PathTables {
     // ---- What lies on a path ----
 
     /**
-     * Length of the path along a way to a target, and which neighbours of the target it enters: {@link #lengthOf} and
+     * Length of the path along a route to a target, and which neighbours of the target it enters: {@link #lengthOf} and
      * {@link #neighboursOf} take the answer apart.
      *
-     * @param way of somebody who reaches a target at its start by no step
+     * @param route on which a target at the start is reached by no step
      */
-    int approach(long way, int target) {
-        int ahead = ways.ahead(way, target);
+    public int approach(long route, int target) {
+        int ahead = routes.ahead(route, target);
         if (ahead >= 0) {
-            return ahead < 2 ? ahead : ahead | neighbourBit(target, ways.corridorNode(way, ahead - 1)) << LENGTH_BITS;
+            return ahead < 2 ? ahead : ahead | neighbourBit(target, routes.corridorNode(route, ahead - 1)) << LENGTH_BITS;
         }
-        int steps = Ways.steps(way);
-        int entry = rows[Ways.row(way) * nodes + target];
-        int junction = ways.junction(way);
+        int steps = Routes.steps(route);
+        int entry = rows[Routes.row(route) * nodes + target];
+        int junction = routes.junction(route);
         if (target == junction) {
-            return steps < 2 ? steps : steps | neighbourBit(target, ways.corridorNode(way, steps - 1)) << LENGTH_BITS;
+            return steps < 2 ? steps : steps | neighbourBit(target, routes.corridorNode(route, steps - 1)) << LENGTH_BITS;
         }
         return steps == 0 || !besideJunction[target]
                 ? entry + steps
@@ -171,12 +169,12 @@ final class PathTables {
     }
 
     /** The length in an answer of {@link #approach}. */
-    static int lengthOf(int approach) {
+    public static int lengthOf(int approach) {
         return approach & LENGTH_MASK;
     }
 
     /** The neighbours in an answer of {@link #approach}: bits 0 to 3 for the directions from the target. */
-    static int neighboursOf(int approach) {
+    public static int neighboursOf(int approach) {
         return approach >> LENGTH_BITS;
     }
 
@@ -191,22 +189,22 @@ final class PathTables {
     }
 
     /**
-     * Writes the path along a way to a target.
+     * Writes the path along a route to a target.
      *
      * @param least as in {@link #length}
      * @param path receives the nodes after the start
      * @return the length
      */
-    int path(long way, int least, int target, int[] path) {
-        int ahead = ways.ahead(way, target);
+    public int path(long route, int least, int target, int[] path) {
+        int ahead = routes.ahead(route, target);
         boolean inCorridor = ahead >= least;
-        int steps = inCorridor ? ahead : Ways.steps(way);
+        int steps = inCorridor ? ahead : Routes.steps(route);
         int count = 0;
         while (count < steps) {
             count++;
-            path[count - 1] = count == steps && !inCorridor ? ways.junction(way) : ways.corridorNode(way, count);
+            path[count - 1] = count == steps && !inCorridor ? routes.junction(route) : routes.corridorNode(route, count);
         }
-        return inCorridor ? count : rowPath(Ways.row(way), target, path, count);
+        return inCorridor ? count : rowPath(Routes.row(route), target, path, count);
     }
 
     /**
@@ -215,22 +213,22 @@ final class PathTables {
      * @param count nodes already written
      * @return nodes written in all
      */
-    int rowPath(int row, int target, int[] path, int count) {
-        if (target == ways.junctionOfRow(row)) {
+    public int rowPath(int row, int target, int[] path, int count) {
+        if (target == routes.junctionOfRow(row)) {
             return count;
         }
         int last = lastLeg(row, target);
         int end = count;
-        if (last == NONE || ways.junction(ways.leaving(target, last)) != ways.junctionOfRow(row)) {
+        if (last == NONE || routes.junction(routes.leaving(target, last)) != routes.junctionOfRow(row)) {
             int[] between = junctionPaths[row][
-                    graph.junctionNumber(last == NONE ? target : ways.junction(ways.leaving(target, last)))];
+                    graph.junctionNumber(last == NONE ? target : routes.junction(routes.leaving(target, last)))];
             System.arraycopy(between, 0, path, count, between.length);
             end += between.length;
         }
         if (last != NONE) {
-            long leg = ways.leaving(target, last);
-            for (int step = Ways.steps(leg) - 1; step >= 0; step--) {
-                path[end++] = step == 0 ? target : ways.corridorNode(leg, step);
+            long leg = routes.leaving(target, last);
+            for (int step = Routes.steps(leg) - 1; step >= 0; step--) {
+                path[end++] = step == 0 ? target : routes.corridorNode(leg, step);
             }
         }
         return end;
@@ -240,14 +238,14 @@ final class PathTables {
 
     private void fillRows() {
         long[] onPath = new long[(nodes + 63) / 64];
-        for (int row = 0; row < ways.rowCount(); row++) {
+        for (int row = 0; row < routes.rowCount(); row++) {
             for (int k = 0; k < graph.junctionCount(); k++) {
                 int[] between = junctionPaths[row][k];
                 Arrays.fill(onPath, 0);
                 for (int node : between) {
                     onPath[node >> 6] |= 1L << node;
                 }
-                if (graph.junctionNode(k) != ways.junctionOfRow(row)) {
+                if (graph.junctionNode(k) != routes.junctionOfRow(row)) {
                     fillEntry(row, graph.junctionNode(k), NONE, between.length, onPath);
                 }
                 fillCorridorsAt(row, graph.junctionNode(k), between.length, onPath);
@@ -263,7 +261,7 @@ final class PathTables {
             while (node != NONE && !graph.isJunction(node)) {
                 int leg = opposite(move);
                 if (lastLeg(row, node) == leg) {
-                    fillEntry(row, node, leg, length + Ways.steps(ways.leaving(node, leg)), onPath);
+                    fillEntry(row, node, leg, length + Routes.steps(routes.leaving(node, leg)), onPath);
                 }
                 move = CorridorPositions.onward(graph, node, move);
                 node = graph.neighbour(node, move);
@@ -278,7 +276,7 @@ final class PathTables {
         int passed = 0;
         for (int d = 0; d < 4; d++) {
             int neighbour = graph.neighbour(target, d);
-            boolean onLastLeg = d == leg && Ways.steps(ways.leaving(target, leg)) > 1;
+            boolean onLastLeg = d == leg && Routes.steps(routes.leaving(target, leg)) > 1;
             if (neighbour != NONE && (onLastLeg || (onPath[neighbour >> 6] >>> neighbour & 1) != 0)) {
                 passed |= 1 << d;
             }
@@ -299,15 +297,15 @@ final class PathTables {
         int shortest = Integer.MAX_VALUE;
         for (int d = 0; d < 4; d++) {
             if (graph.isOpen(target, d)) {
-                long leg = ways.leaving(target, d);
-                if (ways.junction(leg) == ways.junctionOfRow(row)) {
+                long leg = routes.leaving(target, d);
+                if (routes.junction(leg) == routes.junctionOfRow(row)) {
                     int entry = opposite(arrivalOf(leg));
-                    if (ways.arrivalOfRow(row) == Ways.NEUTRAL || entry != opposite(ways.arrivalOfRow(row))) {
-                        shortest = Ways.steps(leg);
+                    if (routes.arrivalOfRow(row) == Routes.NEUTRAL || entry != opposite(routes.arrivalOfRow(row))) {
+                        shortest = Routes.steps(leg);
                         chosen = d;
                     }
                 } else {
-                    int length = junctionPaths[row][graph.junctionNumber(ways.junction(leg))].length + Ways.steps(leg);
+                    int length = junctionPaths[row][graph.junctionNumber(routes.junction(leg))].length + Routes.steps(leg);
                     if (length < shortest) {
                         shortest = length;
                         chosen = d;
@@ -318,7 +316,7 @@ final class PathTables {
         return chosen;
     }
 
-    private int arrivalOf(long way) {
-        return ways.arrivalOfRow(Ways.row(way));
+    private int arrivalOf(long route) {
+        return routes.arrivalOfRow(Routes.row(route));
     }
 }

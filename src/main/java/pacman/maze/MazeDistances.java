@@ -1,4 +1,4 @@
-package pacman.game.internal;
+package pacman.maze;
 
 /**
  * Path distances between all nodes of a maze, where turning back is allowed. Immutable.
@@ -50,7 +50,7 @@ public final class MazeDistances {
     }
 
     /** The table that the competition's {@code Maze} publishes: entry t (t + 1) / 2 + s for s <= t. */
-    int[] triangular() {
+    public int[] triangular() {
         int[] half = new int[nodeCount * (nodeCount + 1) / 2];
         int next = 0;
         for (int to = 0; to < nodeCount; to++) {

@@ -1,7 +1,9 @@
-package pacman.game.internal;
+package pacman.game;
 
 import java.util.Arrays;
 import pacman.game.Constants.MOVE;
+import pacman.maze.MazeGraph;
+import pacman.maze.MazeTables;
 
 /**
  * Directions and neighbours of each node as arrays of their own, for entries that ask for them at every step. They are
@@ -9,7 +11,7 @@ import pacman.game.Constants.MOVE;
  *
  * <p>Source: docs/specification/simulator.md, section 1.4.
  */
-public final class NodeMoves {
+final class NodeMoves {
 
     private static final MOVE[] MOVES = MOVE.values();
 
@@ -18,7 +20,12 @@ public final class NodeMoves {
     /** Neighbours likewise. */
     private final int[][] neighbours;
 
-    NodeMoves(MazeGraph graph) {
+    /** The directions of a maze: computed once, shared by all games. */
+    static NodeMoves of(MazeTables tables) {
+        return tables.derived(NodeMoves.class, maze -> new NodeMoves(maze.graph()), NodeMoves.class);
+    }
+
+    private NodeMoves(MazeGraph graph) {
         moves = new MOVE[5 * graph.nodeCount()][];
         neighbours = new int[5 * graph.nodeCount()][];
         MOVE[] open = new MOVE[4];
@@ -43,12 +50,12 @@ public final class NodeMoves {
     }
 
     /** Directions that do not turn back; null if nothing comes to the node by that move. */
-    public MOVE[] moves(int node, MOVE lastMove) {
+    MOVE[] moves(int node, MOVE lastMove) {
         return lastMove == null ? null : moves[5 * node + lastMove.ordinal()];
     }
 
     /** The neighbours in those directions. */
-    public int[] neighbours(int node, MOVE lastMove) {
+    int[] neighbours(int node, MOVE lastMove) {
         return lastMove == null ? null : neighbours[5 * node + lastMove.ordinal()];
     }
 }
