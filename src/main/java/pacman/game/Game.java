@@ -10,9 +10,9 @@ import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
 import pacman.game.GameStep.Reversal;
 import pacman.game.internal.Maze;
+import pacman.game.internal.PathsCache;
 import pacman.maze.MazePoses;
 import pacman.maze.MazeTables;
-import pacman.game.internal.PathsCache;
 
 /**
  * A game of Ms. Pac-Man vs Ghosts: the competition's interface on top of the engine.

@@ -1,6 +1,5 @@
 package pacman.maze;
 
-
 /**
  * The junctions beyond the next one: where the moves at the next junction lead, the paths to there, and which of the moves lead
  * back to where Ms. Pac-Man is.

@@ -66,7 +66,8 @@ public final class PathTables {
                 junctionPaths[row][k] = routes.junctionOfRow(row) == graph.junctionNode(k)
                         ? new int[0]
                         : maze.paths()
-                                .directedPath(routes.junctionOfRow(row), graph.junctionNode(k), routes.arrivalOfRow(row));
+                                .directedPath(
+                                        routes.junctionOfRow(row), graph.junctionNode(k), routes.arrivalOfRow(row));
                 if (routes.arrivalOfRow(row) == Routes.NEUTRAL) {
                     undirected[graph.junctionNumber(routes.junctionOfRow(row))][k] = junctionPaths[row][k].length;
                 }
@@ -155,13 +156,17 @@ public final class PathTables {
     public int approach(long route, int target) {
         int ahead = routes.ahead(route, target);
         if (ahead >= 0) {
-            return ahead < 2 ? ahead : ahead | neighbourBit(target, routes.corridorNode(route, ahead - 1)) << LENGTH_BITS;
+            return ahead < 2
+                    ? ahead
+                    : ahead | neighbourBit(target, routes.corridorNode(route, ahead - 1)) << LENGTH_BITS;
         }
         int steps = Routes.steps(route);
         int entry = rows[Routes.row(route) * nodes + target];
         int junction = routes.junction(route);
         if (target == junction) {
-            return steps < 2 ? steps : steps | neighbourBit(target, routes.corridorNode(route, steps - 1)) << LENGTH_BITS;
+            return steps < 2
+                    ? steps
+                    : steps | neighbourBit(target, routes.corridorNode(route, steps - 1)) << LENGTH_BITS;
         }
         return steps == 0 || !besideJunction[target]
                 ? entry + steps
@@ -202,7 +207,8 @@ public final class PathTables {
         int count = 0;
         while (count < steps) {
             count++;
-            path[count - 1] = count == steps && !inCorridor ? routes.junction(route) : routes.corridorNode(route, count);
+            path[count - 1] =
+                    count == steps && !inCorridor ? routes.junction(route) : routes.corridorNode(route, count);
         }
         return inCorridor ? count : rowPath(Routes.row(route), target, path, count);
     }
@@ -305,7 +311,8 @@ public final class PathTables {
                         chosen = d;
                     }
                 } else {
-                    int length = junctionPaths[row][graph.junctionNumber(routes.junction(leg))].length + Routes.steps(leg);
+                    int length =
+                            junctionPaths[row][graph.junctionNumber(routes.junction(leg))].length + Routes.steps(leg);
                     if (length < shortest) {
                         shortest = length;
                         chosen = d;

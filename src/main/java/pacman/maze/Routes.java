@@ -3,7 +3,6 @@ package pacman.maze;
 import static pacman.maze.CorridorPositions.NONE;
 import static pacman.maze.CorridorPositions.opposite;
 
-
 /**
  * The precomputed continuations of paths that never turn back: corridor, length, and what follows at the end junction.
  *

@@ -8,9 +8,9 @@ import java.nio.file.Path;
 import java.util.List;
 import mmneat.CompiledClasses;
 import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.sensors.Observation;
 import mmneat.mspacman.sensors.Sensor;
 import mmneat.mspacman.sensors.SensorSuite;
-import mmneat.mspacman.sensors.Observation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

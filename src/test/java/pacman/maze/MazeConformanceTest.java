@@ -2,8 +2,6 @@ package pacman.maze;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import pacman.game.internal.Maze;
-import pacman.game.internal.Node;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
@@ -19,6 +17,8 @@ import pacman.game.Constants.DM;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
+import pacman.game.internal.Maze;
+import pacman.game.internal.Node;
 
 /** The four mazes against the original's, node by node, and the answers to path and move queries, hash by hash. */
 @Tag("conformance")

@@ -3,14 +3,14 @@ package pacman.maze;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import pacman.game.internal.AStar;
-import pacman.game.internal.Maze;
 import java.util.Arrays;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import pacman.game.Game;
+import pacman.game.internal.AStar;
+import pacman.game.internal.Maze;
 
 /** The tables against the plain form of the rules, and facts of the four mazes. */
 class MazePathsTest {

@@ -1,9 +1,9 @@
 package mmneat.mspacman.sensors;
 
-import pacman.maze.PathTables;
-import pacman.maze.Routes;
 import java.util.Arrays;
 import pacman.game.Game;
+import pacman.maze.PathTables;
+import pacman.maze.Routes;
 
 /**
  * What sensors see: the state of a game in one time step, looked at in one direction from Ms. Pac-Man.

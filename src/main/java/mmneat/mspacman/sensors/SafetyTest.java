@@ -1,10 +1,10 @@
 package mmneat.mspacman.sensors;
 
-import pacman.maze.PathTables;
-import pacman.maze.OnwardJunctions;
-import pacman.maze.Routes;
-
 import static pacman.maze.CorridorPositions.NONE;
+
+import pacman.maze.OnwardJunctions;
+import pacman.maze.PathTables;
+import pacman.maze.Routes;
 
 /**
  * Which junctions Ms. Pac-Man can reach in the direction that is looked at before a ghost stops her.
@@ -64,8 +64,9 @@ final class SafetyTest {
         int row = Routes.row(route);
         int moves = tables.onward.moves(observation.pacManNode(), observation.direction());
         int mostSteps = steps + tables.onward.longest(row);
-        mayGoToLastPill =
-                observation.powerPillsLeft() == 0 && observation.pillsLeft() > 0 && observation.pillsLeft() <= mostSteps;
+        mayGoToLastPill = observation.powerPillsLeft() == 0
+                && observation.pillsLeft() > 0
+                && observation.pillsLeft() <= mostSteps;
         if (mostSteps <= observation.harmlessSteps() && !mayGoToLastPill) {
             return Integer.bitCount(moves);
         }

@@ -1,13 +1,13 @@
 package mmneat.mspacman.sensors;
 
-import pacman.maze.PathTables;
-import pacman.maze.PillTables;
-import pacman.maze.OnwardJunctions;
-import pacman.maze.WalkTables;
-import pacman.maze.Routes;
 import pacman.maze.MazeDistances;
 import pacman.maze.MazeGraph;
 import pacman.maze.MazeTables;
+import pacman.maze.OnwardJunctions;
+import pacman.maze.PathTables;
+import pacman.maze.PillTables;
+import pacman.maze.Routes;
+import pacman.maze.WalkTables;
 
 /** What sensors look up about one maze. Immutable; may be shared by games and threads. */
 final class SensorTables {

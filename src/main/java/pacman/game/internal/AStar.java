@@ -1,10 +1,10 @@
 package pacman.game.internal;
 
-import pacman.maze.MazeGraph;
-import pacman.maze.NonReversingSearch;
 import java.util.Arrays;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
+import pacman.maze.MazeGraph;
+import pacman.maze.NonReversingSearch;
 
 /**
  * Search for a path without turning back, as competition entries call it. The same search fills the path cache.

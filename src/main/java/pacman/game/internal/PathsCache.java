@@ -1,10 +1,10 @@
 package pacman.game.internal;
 
-import pacman.maze.MazeGraph;
-import pacman.maze.Mazes;
 import java.util.HashMap;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
+import pacman.maze.MazeGraph;
+import pacman.maze.Mazes;
 
 /**
  * Paths of one of the four mazes, as competition entries ask for them without a game. The paths themselves are made when the
