@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import mmneat.experiment.FileTrouble;
 import mmneat.experiment.NearestName;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -135,7 +136,7 @@ public final class Main implements Callable<Integer> {
         PrintWriter errors = line.getErr();
         Optional<String> mistake = mistake(failure);
         if (mistake.isPresent()) {
-            errors.println("mmneat: " + mistake.get());
+            errors.println("mmneat: " + PlainText.shown(mistake.get()));
         } else {
             failure.printStackTrace(errors);
         }

@@ -45,6 +45,7 @@ public record Parameter(
      * @throws UserError naming the parameter, the value and what is allowed
      */
     String check(String text) {
+        PlainText.require(name, text);
         String canonical;
         try {
             canonical = allowed.spelled(type.canonical(text));

@@ -51,6 +51,8 @@ public final class Parameters {
         Map<String, String> newOfOwnTask = new TreeMap<>(ofOwnTask);
         layer.forEach((name, text) -> {
             if (name.startsWith(OwnTask.PREFIX)) {
+                PlainText.require("the name of a parameter", name);
+                PlainText.require(name, text);
                 newOfOwnTask.put(name.substring(OwnTask.PREFIX.length()), text);
             } else {
                 newValues.put(name, catalogue.require(name).check(text));

@@ -1,7 +1,6 @@
 package mmneat.experiment.cluster;
 
 import java.util.List;
-import java.util.stream.Stream;
 
 /** One shell command per run, for GNU parallel, {@code xargs} or any other dispatcher that starts command lines. */
 public final class CommandList {
@@ -14,7 +13,7 @@ public final class CommandList {
     }
 
     private static String command(ExperimentJob job, JobResources resources, int run) {
-        Stream<String> words = job.command(resources, Integer.toString(run)).stream();
-        return "cd " + ShellWord.quote(job.workingFolder().toString()) + " && " + ShellWord.line(words.toList());
+        List<String> words = job.command(resources, ShellWord::quote, "run=" + run);
+        return "cd " + ShellWord.quote(job.workingFolder().toString()) + " && " + String.join(" ", words);
     }
 }

@@ -2,6 +2,7 @@ package mmneat.experiment.cluster;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import mmneat.experiment.UserError;
 
 /**
  * The submit file of one experiment for HTCondor: one job per run, on a file system that the machines share.
@@ -35,26 +36,49 @@ public final class CondorSubmitFile {
 
     private CondorSubmitFile() {}
 
-    /** The submit file. */
+    /**
+     * The submit file.
+     *
+     * @throws UserError if a folder or the Java program has a name that a submit file cannot hold
+     */
     public static String of(ExperimentJob job, JobResources resources) {
-        List<String> command = job.command(resources, "$(run)");
+        List<String> command = job.command(resources, CondorSubmitFile::quote, "run=$(run)");
+        String label = job.name().replaceAll("[^\\w.-]", "-");
         return SUBMIT_FILE.formatted(
-                job.name(),
+                label,
                 job.file("condor"),
-                command.get(0),
-                command.stream().skip(1).map(CondorSubmitFile::quote).collect(Collectors.joining(" ")),
-                job.workingFolder(),
+                value(resources.java()),
+                command.stream().skip(1).collect(Collectors.joining(" ")),
+                value(job.workingFolder().toString()),
                 resources.cpus(),
                 resources.memoryMebibytes(),
                 resources.time().toSeconds(),
-                job.folder().resolve(job.name()),
+                value(job.folder().resolve(job.name()).toString()),
                 job.runs().stream().map(String::valueOf).collect(Collectors.joining(" ")));
     }
 
     /** HTCondor's new syntax: the whole line in double quotes, words with blanks in single ones, quotes doubled. */
     private static String quote(String word) {
-        String doubled = word.replace("\"", "\"\"");
-        boolean special = doubled.contains(" ") || doubled.contains("\t") || doubled.contains("'");
+        String doubled = literal(word).replace("\"", "\"\"");
+        boolean special = doubled.isEmpty() || doubled.matches(".*[\\s'].*");
         return special ? "'" + doubled.replace("'", "''") + "'" : doubled;
+    }
+
+    /** The value of a line of its own, which is trimmed, may be quoted and goes on behind a backslash at its end. */
+    private static String value(String text) {
+        if (!text.equals(text.strip()) || text.endsWith("\\") || text.contains("\"")) {
+            throw new UserError(
+                    text + ": HTCondor cannot read a name with a double quote, with a blank at an end, or with a"
+                            + " backslash at its end; use another folder");
+        }
+        return literal(text);
+    }
+
+    /** A dollar sign would begin the name of a value. */
+    private static String literal(String text) {
+        if (text.contains("$$(") || text.contains("$$[")) {
+            throw new UserError(text + ": HTCondor would replace what follows $$; use a value without it");
+        }
+        return text.replace("$", "$(DOLLAR)");
     }
 }

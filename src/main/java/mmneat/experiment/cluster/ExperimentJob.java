@@ -3,6 +3,9 @@ package mmneat.experiment.cluster;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import mmneat.experiment.PlainText;
 
 /**
  * The unfinished runs of one experiment, as jobs: run r is the command {@code java -jar mmneat.jar run=r <words>}.
@@ -18,6 +21,11 @@ public record ExperimentJob(
         String name, Path folder, Path workingFolder, Path jar, List<String> words, List<Integer> runs) {
 
     public ExperimentJob {
+        PlainText.require("the name of the experiment", name);
+        PlainText.require("the folder of the experiment", folder.toString());
+        PlainText.require("the working folder", workingFolder.toString());
+        PlainText.require("the path of the jar", jar.toString());
+        words.forEach(word -> PlainText.require("a word of the experiment", word));
         words = List.copyOf(words);
         runs = List.copyOf(runs);
         if (runs.isEmpty()) {
@@ -30,15 +38,24 @@ public record ExperimentJob(
         }
     }
 
-    /** The command of one run. {@code run} may be a number or what the scheduler's shell makes a number of. */
-    List<String> command(JobResources resources, String run) {
-        List<String> command = new ArrayList<>(resources.javaCommand());
-        command.add("-jar");
-        command.add(jar.toString());
-        command.add("run=" + run);
-        command.addAll(words);
-        command.add("threads=" + resources.cpus());
-        return command;
+    /**
+     * The command of one run.
+     *
+     * @param quote how the engine quotes a word
+     * @param run the run's number in the engine's own notation; it is inserted as it is
+     * @return the quoted words: the Java program first, {@code run=<run>} at its place, then the words of the experiment
+     */
+    List<String> command(JobResources resources, UnaryOperator<String> quote, String run) {
+        List<String> before = new ArrayList<>(resources.javaCommand());
+        before.addAll(List.of("-jar", jar.toString()));
+        List<String> after = new ArrayList<>(words);
+        after.add("threads=" + resources.cpus());
+        return Stream.of(
+                        before.stream().map(quote),
+                        Stream.of(run),
+                        after.stream().map(quote))
+                .flatMap(part -> part)
+                .toList();
     }
 
     /** The file of this experiment for an engine: {@code <folder>/<name>.<ending>}. */

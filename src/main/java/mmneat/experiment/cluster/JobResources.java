@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 
 /**
@@ -20,6 +21,8 @@ public record JobResources(int cpus, int memoryMebibytes, Duration time, String 
     private static final Pattern MEMORY = Pattern.compile("(\\d+)\\s*([MG])(?:i?B)?", Pattern.CASE_INSENSITIVE);
     private static final Pattern TIME = Pattern.compile("(?:(\\d+)-)?(\\d+):(\\d{2})(?::(\\d{2}))?");
 
+    private static final Pattern ASSIGNMENT = Pattern.compile("\\w+=");
+
     /** Least memory with which a run starts, in MiB. */
     private static final int LEAST_MEMORY = 256;
 
@@ -27,6 +30,10 @@ public record JobResources(int cpus, int memoryMebibytes, Duration time, String 
     private static final double HEAP_SHARE = 0.75;
 
     public JobResources {
+        PlainText.require("java", java);
+        if (java.isBlank() || ASSIGNMENT.matcher(java).lookingAt()) {
+            throw new UserError("java=" + java + ": must be a program; a shell would not start this");
+        }
         if (cpus < 1) {
             throw new UserError("cpus=" + cpus + ": a run needs at least one processor");
         }

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import mmneat.experiment.PlainText;
+import mmneat.experiment.UserError;
 
 /**
  * The manifest of one experiment for Kubernetes: an Indexed Job (batch/v1) with one pod per run.
@@ -32,8 +34,15 @@ public final class KubernetesManifest {
      *
      * @param image container image with a Java 17 or newer
      * @param claim name of the persistent volume claim that holds the working folder
+     * @throws UserError if a name cannot stand in a manifest
      */
     public static String of(ExperimentJob job, JobResources resources, String image, String claim) {
+        PlainText.require("image", image);
+        PlainText.require("claim", claim);
+        if (job.workingFolder().toString().contains(":")) {
+            throw new UserError(job.workingFolder()
+                    + ": Kubernetes cannot mount a volume at a name with a colon; start in" + " another folder");
+        }
         try {
             return "# " + job.name()
                     + ": one pod per run. Written by \"mmneat submit\"; submit it with\n#   kubectl apply -f "
@@ -110,8 +119,13 @@ public final class KubernetesManifest {
     /** Completion index i is the i-th unfinished run; "exec" lets Java itself get the signals. */
     private static String shell(ExperimentJob job, JobResources resources) {
         String runs = job.runs().stream().map(String::valueOf).collect(Collectors.joining(" "));
-        String command = ShellWord.line(job.command(resources, "RUN")).replace("run=RUN", "\"run=$run\"");
-        return "set -- " + runs + "; shift \"$JOB_COMPLETION_INDEX\"; run=$1; exec " + command;
+        List<String> command = job.command(resources, KubernetesManifest::quote, "\"run=$run\"");
+        return "set -- " + runs + "; shift \"$JOB_COMPLETION_INDEX\"; run=$1; exec " + String.join(" ", command);
+    }
+
+    /** A word for the shell; Kubernetes makes one dollar sign of two, and would replace {@code $(NAME)} first. */
+    private static String quote(String word) {
+        return ShellWord.quote(word).replace("$", "$$");
     }
 
     /** Kubernetes names are lower case letters, digits and dashes, at most 63. */

@@ -11,9 +11,13 @@ public final class ShellWord {
 
     private ShellWord() {}
 
-    /** The word itself, or in single quotes if the shell would see anything special in it. */
+    /**
+     * The word itself, or in single quotes if the shell would see anything special in it.
+     *
+     * <p>A backslash stands outside of the quotes: there, POSIX shells, fish and Slurm's own {@code #SBATCH} lines agree on it.
+     */
     static String quote(String word) {
-        return PLAIN.matcher(word).matches() ? word : "'" + word.replace("'", "'\\''") + "'";
+        return PLAIN.matcher(word).matches() ? word : "'" + word.replaceAll("[\\\\']", "'\\\\$0'") + "'";
     }
 
     /** A command line of quoted words. */

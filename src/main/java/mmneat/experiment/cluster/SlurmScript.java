@@ -3,6 +3,8 @@ package mmneat.experiment.cluster;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import mmneat.experiment.PlainText;
+import mmneat.experiment.UserError;
 
 /**
  * The batch script of one experiment for Slurm: a job array with one task per run.
@@ -69,19 +71,36 @@ public final class SlurmScript {
     private SlurmScript() {}
 
     /**
+     * The file that a task prints into, as a pattern of Slurm's. It has two special signs: a percent sign before the name of a
+     * value, which is doubled to stand for itself, and a backslash, which turns the pattern off.
+     *
+     * @throws UserError if the name has a backslash
+     */
+    private static String log(ExperimentJob job) {
+        String place = job.folder().resolve(job.name()).toString();
+        if (place.contains("\\")) {
+            throw new UserError(
+                    place + ": Slurm cannot write its output to a name with a backslash; give base= and log="
+                            + " without one");
+        }
+        return place.replace("%", "%%") + "-%A_%a.log";
+    }
+
+    /**
      * The script. Slurm reads quotes in its own lines as a shell does.
      *
      * @param options further options of sbatch by name, for instance {@code partition} to {@code long}
      */
     public static String of(ExperimentJob job, JobResources resources, Map<String, String> options) {
         StringBuilder furtherOptions = new StringBuilder();
+        options.forEach((name, value) -> PlainText.require(name, value));
         options.forEach((name, value) -> furtherOptions
                 .append("#SBATCH --")
                 .append(name)
                 .append('=')
                 .append(ShellWord.quote(value))
                 .append('\n'));
-        List<String> command = job.command(resources, "RUN");
+        List<String> command = job.command(resources, ShellWord::quote, "\"run=$run\"");
         return SCRIPT.formatted(
                 ShellWord.quote(job.name()),
                 RunRanges.of(job.runs()),
@@ -91,9 +110,9 @@ public final class SlurmScript {
                 resources.clockTime(),
                 furtherOptions,
                 ShellWord.quote(job.workingFolder().toString()),
-                ShellWord.quote(job.folder().resolve(job.name() + "-%A_%a.log").toString()),
+                ShellWord.quote(log(job)),
                 OFFSET,
-                ShellWord.line(command).replace("run=RUN", "\"run=$run\""));
+                String.join(" ", command));
     }
 
     /**
