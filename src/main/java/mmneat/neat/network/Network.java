@@ -30,10 +30,9 @@ public final class Network {
      *   shared   what more than one module's answer or the choice of the module depends on;
      *   modules  what the answer of one module alone depends on: a module that loses the choice costs nothing.
      *
-     * Neurons that are always needed come in fours that are independent of each other, as far as there are such, and the rest
-     * behind them (Fours): four are computed side by side. Those of the other groups, mostly computed roughly, are ordered by
-     * level: their forward sources all lie on lower levels. Outputs that no link reads come last and are computed only when
-     * somebody asks for them ("lazy").
+     * Within a group neurons are ordered by level: their forward sources all lie on lower levels, and those of one level are
+     * independent of each other. Outputs that no link reads come last and are computed only when somebody asks for them
+     * ("lazy").
      *
      * What is not always needed serves decisions alone: which module has the highest preference, which state the highest
      * answer. Mostly they are far enough apart to be told from rough values (RoughTanh); the margin, found when compiling, says
@@ -75,8 +74,6 @@ public final class Network {
     final int firstLazy;
     /** First slot of each group of the neurons that are not lazy, and {@link #firstLazy} at the end. */
     final int[] groupStart;
-    /** Neurons from the first one to this slot, all always needed, come in fours that do not depend on each other. */
-    final int foursEnd;
     /** Group of each output neuron, by output number, lazy or not. */
     final int[] groupOfOutput;
     /** How far a rough sum can be from the exact one. */
@@ -97,7 +94,6 @@ public final class Network {
             Genotype genotype,
             int[] slotOfNode,
             int[] groupStart,
-            int foursEnd,
             int[] groupOfOutput,
             double margin,
             int remembered,
@@ -110,7 +106,6 @@ public final class Network {
         this.slotOfNode = slotOfNode;
         this.slots = linkStart.length - 1;
         this.groupStart = groupStart;
-        this.foursEnd = foursEnd;
         this.groupOfOutput = groupOfOutput;
         this.margin = margin;
         this.firstLazy = groupStart[groupStart.length - 1];

@@ -25,9 +25,6 @@ final class NetworkCompiler {
     private final int inputs;
     private final int firstOutput;
 
-    /** Whether every node's function is tanh. */
-    private final boolean allTanh;
-
     /** Active links into each node, by source position: those of node p are [incomingStart[p], incomingStart[p + 1]). */
     private final int[] incomingStart;
 
@@ -52,7 +49,6 @@ final class NetworkCompiler {
         nodes = genotype.nodes().size();
         inputs = genotype.inputs();
         firstOutput = genotype.firstOutput();
-        allTanh = allTanh(genotype);
         incomingStart = new int[nodes + 1];
         int active = countActiveLinks();
         incomingSource = new int[active];
@@ -64,7 +60,7 @@ final class NetworkCompiler {
         gatherIncomingLinks();
         Arrays.fill(included, 0, withAllNodes ? nodes : inputs, true);
         includeSourcesOfOutputs();
-        if (!withAllNodes && allTanh) {
+        if (!withAllNodes && allTanh()) {
             findGroups();
         }
         double largestDifference = largestDifference();
@@ -76,11 +72,10 @@ final class NetworkCompiler {
 
     Network compile() {
         int[] groupStart = numberSlots(levels());
-        int foursEnd = allTanh ? putInFours(groupStart[Network.ALWAYS + 1]) : inputs;
-        return withLinks(nodesOfSlots(), groupStart, foursEnd);
+        return withLinks(nodesOfSlots(), groupStart);
     }
 
-    private static boolean allTanh(Genotype genotype) {
+    private boolean allTanh() {
         for (NodeGene node : genotype.nodes()) {
             if (node.activation() != ActivationFunction.TANH) {
                 return false;
@@ -276,25 +271,6 @@ final class NetworkCompiler {
         return groupStart;
     }
 
-    /**
-     * Gives the neurons that are always needed their slots in another order.
-     *
-     * @param end of these slots; they are the first ones behind the inputs
-     * @return the end of those slots of which every four are independent
-     */
-    private int putInFours(int end) {
-        boolean[] always = new boolean[nodes];
-        for (int i = inputs; i < nodes; i++) {
-            always[i] = slotOfNode[i] != Network.LEFT_OUT && slotOfNode[i] < end;
-        }
-        Fours fours = new Fours(incomingStart, incomingSource, always);
-        int[] order = fours.order();
-        for (int i = 0; i < order.length; i++) {
-            slotOfNode[order[i]] = inputs + i;
-        }
-        return inputs + fours.complete();
-    }
-
     private int[] nodesOfSlots() {
         int slots = 0;
         for (boolean takesPart : included) {
@@ -309,7 +285,7 @@ final class NetworkCompiler {
         return nodeOfSlot;
     }
 
-    private Network withLinks(int[] nodeOfSlot, int[] groupStart, int foursEnd) {
+    private Network withLinks(int[] nodeOfSlot, int[] groupStart) {
         int slots = nodeOfSlot.length;
         int links = 0;
         for (int target : nodeOfSlot) {
@@ -338,7 +314,6 @@ final class NetworkCompiler {
                 genotype,
                 slotOfNode,
                 groupStart,
-                foursEnd,
                 Arrays.copyOfRange(group, firstOutput, nodes),
                 margin,
                 hasRecurrentLinks ? groupStart[Network.ALWAYS + 1] - inputs : 0,
@@ -359,12 +334,12 @@ final class NetworkCompiler {
 
     private ActivationFunction[] functions(int[] nodeOfSlot) {
         List<NodeGene> genes = genotype.nodes();
-        boolean onlyTanh = true;
+        boolean allTanh = true;
         ActivationFunction[] functions = new ActivationFunction[nodeOfSlot.length];
         for (int slot = 0; slot < functions.length; slot++) {
             functions[slot] = genes.get(nodeOfSlot[slot]).activation();
-            onlyTanh &= functions[slot] == ActivationFunction.TANH;
+            allTanh &= functions[slot] == ActivationFunction.TANH;
         }
-        return onlyTanh ? null : functions;
+        return allTanh ? null : functions;
     }
 }

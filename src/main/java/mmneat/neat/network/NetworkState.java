@@ -27,9 +27,6 @@ public final class NetworkState {
      */
     final double[] activations;
 
-    /** What {@link Propagation#exactlyInFours} wants to write into. */
-    private final double[] pieces = new double[Propagation.PIECES];
-
     /** Twice the number of the step in which each group was computed last, and one more if exactly. */
     private final long[] computed;
 
@@ -284,9 +281,7 @@ public final class NetworkState {
         if (!exactly) {
             Propagation.roughly(network, activations, from, to);
         } else if (network.functions == null) {
-            int foursEnd = Math.max(from, network.foursEnd);
-            Propagation.exactlyInFours(network, activations, pieces, from, foursEnd);
-            Propagation.exactly(network, activations, foursEnd, to);
+            Propagation.exactly(network, activations, from, to);
         } else {
             for (int slot = from; slot < to; slot++) {
                 activations[slot] = function(slot, sum(slot));

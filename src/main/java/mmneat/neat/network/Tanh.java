@@ -49,11 +49,6 @@ public final class Tanh {
      * done than a conversion; the reference adds 0.5 and cuts off, and decides between k = 0 and 1 by the upper half of the
      * bits. They differ only very near the middle between two k: such arguments, one in half a million, go to the library,
      * as do the few beyond the table.
-     *
-     * The line is cut into pieces, each from the argument and what pieces before it gave, so that Propagation can compute a
-     * piece for several arguments before the next. The compiler puts them together again, and finds once what several of them
-     * need. Where the reference has powers of half the square of the reduced argument, here are those of the square, with
-     * coefficients divided by powers of two: the same bits.
      */
 
     private static final double LN2_HIGH = 6.93147180369123816490e-01;
@@ -71,7 +66,7 @@ public final class Tanh {
     /** From here on k is 20 or more. */
     private static final double TABLE_END = 6.75;
 
-    /** Somewhat less than ln(2)/2, by more than k can differ. */
+    /** ln(2)/2 minus a safety margin: below it, the rounded k is the nearest integer. */
     private static final double CLEARLY_NEAREST = 0.346573;
 
     /** From here on the result is 1: 2/(t + 2) is below 2^-54. */
@@ -119,62 +114,32 @@ public final class Tanh {
 
     /** Whether {@link #inTable} can be asked: so for all arguments but those beyond 6.75, and one in half a million before. */
     static boolean isInTable(double x) {
-        return isInTable(x, reduced(x));
+        double a = Math.abs(x);
+        double k = wholeOf(a) - WHOLE;
+        return a < TABLE_END && Math.abs(high(a, k) - k * LN2_LOW) <= CLEARLY_NEAREST;
     }
 
-    /** The same where the first piece is known already. */
-    static boolean isInTable(double x, double reduced) {
-        return Math.abs(x) < TABLE_END && Math.abs(reduced) <= CLEARLY_NEAREST;
-    }
-
-    /** The hyperbolic tangent of an argument in the table; any number for others. Calls nothing that is not inlined. */
+    /** The hyperbolic tangent of an argument in the table; any number for others. Calls nothing. */
     static double inTable(double x) {
-        double reduced = reduced(x);
-        double remainder = remainder(x, reduced, series(reduced, upperTerms(reduced)));
-        return result(x, shifted(x, reduced, remainder));
-    }
-
-    /** First piece of {@link #inTable}: 2|x| less k ln 2. */
-    static double reduced(double x) {
         double a = Math.abs(x);
-        double k = multiples(a);
-        return high(a, k) - k * LN2_LOW;
-    }
+        double whole = wholeOf(a);
+        double k = whole - WHOLE;
+        double high = high(a, k);
+        double low = k * LN2_LOW;
+        double reduced = high - low;
+        int row = row(x, whole);
 
-    /** Second piece: the terms of the series from the third on. */
-    static double upperTerms(double reduced) {
-        double square = reduced * reduced;
-        return Q3 / 8 + square * (Q4 / 16 + square * (Q5 / 32));
-    }
-
-    /** Third piece: r1. */
-    static double series(double reduced, double upperTerms) {
-        double square = reduced * reduced;
-        return 1 + square * (Q1 / 2 + square * (Q2 / 4 + square * upperTerms));
-    }
-
-    /** Fourth piece: e before c is taken off. */
-    static double remainder(double x, double reduced, double series) {
-        double r = CASES[row(x) + 6] * reduced;
-        double u = 3 - series * (0.5 * r);
-        return 0.5 * (reduced * reduced) * ((series - u) / (6 - r * u));
-    }
-
-    /** Fifth piece: q. */
-    static double shifted(double x, double reduced, double remainder) {
-        double a = Math.abs(x);
-        double k = multiples(a);
-        int row = row(x);
         double s = CASES[row + 6];
-        double c = s * ((high(a, k) - reduced) - k * LN2_LOW);
+        double c = s * ((high - reduced) - low);
         double r = s * reduced;
-        double e = (r * (remainder - c) - c) - 0.5 * (reduced * reduced);
-        return CASES[row] + (r - e);
-    }
+        double half = 0.5 * r;
+        double square = reduced * (0.5 * reduced);
+        double r1 = 1 + square * (Q1 + square * (Q2 + square * (Q3 + square * (Q4 + square * Q5))));
+        double u = 3 - r1 * half;
+        double e = square * ((r1 - u) / (6 - r * u));
+        e = (r * (e - c) - c) - square;
 
-    /** Last piece, from q. */
-    static double result(double x, double q) {
-        int row = row(x);
+        double q = CASES[row] + (r - e);
         double t = q * CASES[row + 1] + CASES[row + 2];
         return CASES[row + 5] + (q * CASES[row + 3] + CASES[row + 4]) / (t + 2);
     }
@@ -184,21 +149,16 @@ public final class Tanh {
         return (2 * INVERSE_LN2) * a + WHOLE;
     }
 
-    /** k. */
-    private static double multiples(double a) {
-        return wholeOf(a) - WHOLE;
-    }
-
     /** 2a less the upper part of k ln 2. */
     private static double high(double a, double k) {
         return (a + a) - k * LN2_HIGH;
     }
 
-    /** Start of the row of an argument in the table. */
-    private static int row(double x) {
+    /** Start of the row of an argument in the table; {@code whole} has k in its lower bits. */
+    private static int row(double x, double whole) {
         // The sum carries into bit 62 if the exponent is that of 1 or more.
         int signAndSize = (int) (Double.doubleToRawLongBits(x) + ONE_EXPONENT >>> 62);
-        int k = (int) Double.doubleToRawLongBits(wholeOf(Math.abs(x)));
+        int k = (int) Double.doubleToRawLongBits(whole);
         // A sum, not an "or", and a mask: the compiler then knows that the row is in the table and checks no bounds.
         return (4 * k + signAndSize & ROWS - 1) << ROW_BITS;
     }
