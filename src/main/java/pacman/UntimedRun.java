@@ -1,25 +1,12 @@
 package pacman;
 
 import java.util.EnumMap;
-import java.util.Set;
 import java.util.function.Consumer;
 import mmneat.random.ResumableRandom;
 import pacman.controllers.Controller;
 import pacman.controllers.DirectGhosts;
 import pacman.controllers.ReadOnlyController;
-import pacman.controllers.examples.AggressiveGhosts;
-import pacman.controllers.examples.BetterLegacy;
-import pacman.controllers.examples.ChaseFleeGhosts;
-import pacman.controllers.examples.DeterministicLegacy;
-import pacman.controllers.examples.Legacy;
-import pacman.controllers.examples.Legacy2TheReckoning;
-import pacman.controllers.examples.NearestPillPacMan;
-import pacman.controllers.examples.RandomGhosts;
-import pacman.controllers.examples.RandomNonRevPacMan;
-import pacman.controllers.examples.RandomPacMan;
-import pacman.controllers.examples.StarterGhosts;
-import pacman.controllers.examples.StarterPacMan;
-import pacman.controllers.examples.VeryRandomLegacy;
+import pacman.controllers.examples.LiveReaders;
 import pacman.game.Constants;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -30,7 +17,10 @@ import pacman.game.GhostMoves;
  * A game in which the controllers are asked directly, in the calling thread, however long they take.
  *
  * <p>Per tick Ms. Pac-Man's controller gets a copy of the game, then the ghosts' controller another of the same state,
- * then the game advances by both answers. Source: docs/specification/controllers.md, section 6.2.
+ * then the game advances by both answers. Copying the game takes longer than advancing it, so controllers that only read it
+ * ({@link LiveReaders}) look at the live game and draw from a scratch generator set to where their copy's would stand.
+ *
+ * <p>Source: docs/specification/controllers.md, section 6.2.
  */
 final class UntimedRun {
 
@@ -44,31 +34,11 @@ final class UntimedRun {
         PER_CONTROLLER
     }
 
-    /*
-     * Copying the game takes longer than advancing it. Controllers of ours that only read need no copy: they look at the
-     * live game, and draw from a scratch generator that is set to where the game's stands. Exactly these classes, since
-     * a subclass may do more than read.
-     */
-    private static final Set<Class<?>> READ_ONLY = Set.of(
-            AggressiveGhosts.class,
-            BetterLegacy.class,
-            ChaseFleeGhosts.class,
-            DeterministicLegacy.class,
-            Legacy.class,
-            Legacy2TheReckoning.class,
-            NearestPillPacMan.class,
-            RandomGhosts.class,
-            RandomNonRevPacMan.class,
-            RandomPacMan.class,
-            StarterGhosts.class,
-            StarterPacMan.class,
-            VeryRandomLegacy.class);
-
     private final Controller<MOVE> pacMan;
     private final Controller<EnumMap<GHOST, MOVE>> ghosts;
     private final ReadOnlyController<MOVE> readOnlyPacMan;
     private final ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
-    /** The team among {@link #READ_ONLY} that needs no map either; null if it is another. */
+    /** The ghosts, if they only read and need no map either; else null. */
     private final DirectGhosts directGhosts;
 
     private final DueTime dueTime;
@@ -78,14 +48,9 @@ final class UntimedRun {
         this.pacMan = pacMan;
         this.ghosts = ghosts;
         this.dueTime = dueTime;
-        readOnlyPacMan = readOnly(pacMan);
-        readOnlyGhosts = readOnly(ghosts);
+        readOnlyPacMan = LiveReaders.of(pacMan).orElse(null);
+        readOnlyGhosts = LiveReaders.of(ghosts).orElse(null);
         directGhosts = readOnlyGhosts instanceof DirectGhosts direct ? direct : null;
-    }
-
-    @SuppressWarnings("unchecked") // Each class of the set answers getMove and decide with the same type.
-    private static <T> ReadOnlyController<T> readOnly(Controller<T> controller) {
-        return READ_ONLY.contains(controller.getClass()) ? (ReadOnlyController<T>) controller : null;
     }
 
     /**
@@ -120,7 +85,7 @@ final class UntimedRun {
             if (directGhosts == null) {
                 moves = answer(ghosts, readOnlyGhosts, game, due);
             } else {
-                scratch.continueAs(game.rnd);
+                game.continueAsCopy(scratch);
                 directMoves = directGhosts.decideMoves(game, scratch);
             }
         } catch (Throwable failure) {
@@ -136,7 +101,7 @@ final class UntimedRun {
 
     private <T> T answer(Controller<T> controller, ReadOnlyController<T> readOnly, Game game, long due) {
         if (readOnly != null) {
-            scratch.continueAs(game.rnd);
+            game.continueAsCopy(scratch);
             return readOnly.decide(game, scratch);
         }
         return controller.getMove(game.copy(), dueTime == DueTime.PER_CONTROLLER ? due(DueTime.PER_CONTROLLER) : due);

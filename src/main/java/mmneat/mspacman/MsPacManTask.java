@@ -15,6 +15,7 @@ import mmneat.random.ResumableRandom;
 import pacman.controllers.DirectGhosts;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.ReadOnlyController;
+import pacman.controllers.examples.LiveReaders;
 import pacman.game.Constants;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -40,7 +41,7 @@ public final class MsPacManTask implements Task {
     /** The ghosts, if they only read and need no map; else null. */
     private final DirectGhosts directGhosts;
 
-    /** Stands where the game's generator stands when ghosts that only read draw from it. */
+    /** Stands where the generator of the ghosts' copy would stand, when ghosts that only read draw from it. */
     private final ResumableRandom scratch = new ResumableRandom(0);
 
     /** A task; it belongs to one thread. */
@@ -51,17 +52,8 @@ public final class MsPacManTask implements Task {
         games = TrialGame.of(settings.version(), settings.rules());
         others = RecordedScore.ofTheOriginal(settings.rules());
         ghosts = settings.ghosts().get();
-        readOnlyGhosts = readOnly(ghosts);
+        readOnlyGhosts = LiveReaders.of(ghosts).orElse(null);
         directGhosts = readOnlyGhosts instanceof DirectGhosts direct ? direct : null;
-    }
-
-    /** The team as one that only reads, if it is one of ours; a subclass may do more than read. */
-    @SuppressWarnings("unchecked") // Ghost controllers answer with a map, whether they only read or not.
-    private static ReadOnlyController<EnumMap<GHOST, MOVE>> readOnly(NewGhostController team) {
-        boolean isOurs = team.getClass().getPackageName().equals("pacman.controllers.examples");
-        return isOurs && team instanceof ReadOnlyController<?> reader
-                ? (ReadOnlyController<EnumMap<GHOST, MOVE>>) reader
-                : null;
     }
 
     /** What an evaluation is. */
@@ -186,10 +178,11 @@ public final class MsPacManTask implements Task {
     }
 
     private void advance(Game game, MOVE move) {
-        scratch.continueAs(game.rnd);
         if (directGhosts != null) {
+            game.continueAsCopy(scratch);
             game.advanceGame(move, directGhosts.decideMoves(game, scratch));
         } else if (readOnlyGhosts != null) {
+            game.continueAsCopy(scratch);
             game.advanceGame(move, readOnlyGhosts.decide(game, scratch));
         } else {
             game.advanceGame(move, ghosts.getMove(game.copy(), -1));

@@ -19,7 +19,7 @@ public interface DirectGhosts extends ReadOnlyController<EnumMap<GHOST, MOVE>> {
      * The same answer as {@link #decide}, as {@link GhostMoves}.
      *
      * @param game read, not changed
-     * @param random a generator of the caller's, standing where the game's stands; it may be drawn from
+     * @param random a generator of the caller's, set by {@link Game#continueAsCopy}; it may be drawn from
      */
     int decideMoves(Game game, ResumableRandom random);
 }

@@ -37,7 +37,10 @@ public final class Game {
     /** The paths of the four mazes; section 1.4. Not final in the competition's interface; nothing here reads it. */
     public static PathsCache[] caches = {new PathsCache(0), new PathsCache(1), new PathsCache(2), new PathsCache(3)};
 
-    /** The game's own generator; a controller that draws from its copy's sees the numbers that the engine is about to use. */
+    /**
+     * The game's own generator. Under rules whose copies continue the game, a controller that draws from its copy's sees the
+     * numbers that the engine is about to use.
+     */
     public final ResumableRandom rnd;
 
     private final GameState state;
@@ -65,8 +68,8 @@ public final class Game {
      * A game by given rules that is part of a larger run.
      *
      * @param shared the run's generator, from which the original draws what has to do with the task: places of ghosts that
-     *     leave the lair, missing pills, and a number whenever a ghost's edible time runs out. Copies of the game draw from it
-     *     too. If null, the game's own generator is used
+     *     leave the lair, missing pills, and a number whenever a ghost's edible time runs out. Copies that continue the game
+     *     draw from it too. If null, the game's own generator is used
      */
     public Game(long seed, GameRules rules, ResumableRandom shared) {
         this(new GameState(seed, rules, shared));
@@ -89,11 +92,24 @@ public final class Game {
     // ---- Copying and starting again
 
     /**
-     * A game that continues as this one would. By MM-NEAT's conventions it forgets most switches, and what was eaten; see
-     * {@link GameRules.Conventions}.
+     * A game in the same state. Which random numbers it draws, the rules decide: {@link GameRules.Copies}. By MM-NEAT's
+     * conventions it forgets most switches, and what was eaten; see {@link GameRules.Conventions}.
      */
     public Game copy() {
         return new Game(state.copy());
+    }
+
+    /**
+     * Sets a generator to where the generator of the next {@link #copy()} would stand, and counts for that copy. A controller
+     * that only reads this game and draws from {@code scratch} then answers as it would with the copy.
+     */
+    public void continueAsCopy(ResumableRandom scratch) {
+        state.continueAsCopy(scratch);
+    }
+
+    /** A copy for a view, which does not count for one: a game goes on the same whether it is shown or not. */
+    Game snapshot() {
+        return new Game(state.snapshot());
     }
 
     /** Begins a new game by the same rules in this object, without allocation; the switches are those of the rules again. */

@@ -12,6 +12,7 @@ import pacman.maze.Mazes;
  * docs/specification/controllers.md, section 1.3.
  *
  * @param conventions whose behaviour counts where the competition's and MM-NEAT's differ
+ * @param copies which random numbers a copy of the game draws
  * @param mazes the mazes of the levels
  * @param initialMaze index of the first level's maze
  * @param onlyMaze index of a maze in which all levels are played, -1 for all mazes in turn
@@ -39,6 +40,7 @@ import pacman.maze.Mazes;
  */
 public record GameRules(
         Conventions conventions,
+        Copies copies,
         Mazes mazes,
         int initialMaze,
         int onlyMaze,
@@ -76,9 +78,23 @@ public record GameRules(
         MM_NEAT
     }
 
+    /** Which random numbers a copy of a game draws. */
+    public enum Copies {
+        /**
+         * Those that the game itself will draw: a controller can look into the future in its copy. As in MM-NEAT, where the
+         * example ghosts depend on it.
+         */
+        CONTINUE_THE_GAME,
+        /**
+         * Numbers of its own, which follow from the game's seed, its time and the number of the copy: each copy shows another
+         * possible future, none the real one, and the same seed still gives the same game.
+         */
+        ARE_INDEPENDENT
+    }
+
     public GameRules {
-        if (conventions == null || mazes == null || switches == null) {
-            throw new IllegalArgumentException("conventions, mazes and switches are needed");
+        if (conventions == null || copies == null || mazes == null || switches == null) {
+            throw new IllegalArgumentException("conventions, copies, mazes and switches are needed");
         }
         requireRange("initialMaze", initialMaze, 0, mazes.count() - 1);
         requireRange("onlyMaze", onlyMaze, -1, mazes.count() - 1);
@@ -132,10 +148,11 @@ public record GameRules(
         }
     }
 
-    /** The competition of 2012, release 6.2: three lives, levels of 4000 steps, no last level. */
+    /** The competition of 2012, release 6.2: three lives, levels of 4000 steps, no last level; copies foresee nothing. */
     public static GameRules competition() {
         return new Builder()
                 .conventions(Conventions.COMPETITION)
+                .copies(Copies.ARE_INDEPENDENT)
                 .lives(Constants.NUM_LIVES)
                 .extraLife(true)
                 .maximumLevel(Integer.MAX_VALUE)
@@ -180,10 +197,11 @@ public record GameRules(
 
     /**
      * Ms. Pac-Man vs Ghosts as MM-NEAT evaluates its champions for the competition of 2011: 16 levels of 3000 steps, half
-     * credit for what is left.
+     * credit for what is left. Copies foresee nothing.
      */
     public static GameRules mpmVsGhosts() {
         return new Builder()
+                .copies(Copies.ARE_INDEPENDENT)
                 .lives(Constants.NUM_LIVES)
                 .extraLife(true)
                 .maximumLevel(16)
@@ -211,6 +229,7 @@ public record GameRules(
     public static final class Builder {
 
         private Conventions conventions = Conventions.MM_NEAT;
+        private Copies copies = Copies.CONTINUE_THE_GAME;
         private Mazes mazes = Mazes.standard();
         private int initialMaze;
         private int onlyMaze = -1;
@@ -239,6 +258,7 @@ public record GameRules(
 
         private Builder(GameRules rules) {
             conventions = rules.conventions;
+            copies = rules.copies;
             mazes = rules.mazes;
             initialMaze = rules.initialMaze;
             onlyMaze = rules.onlyMaze;
@@ -265,6 +285,11 @@ public record GameRules(
 
         public Builder conventions(Conventions value) {
             conventions = value;
+            return this;
+        }
+
+        public Builder copies(Copies value) {
+            copies = value;
             return this;
         }
 
@@ -386,6 +411,7 @@ public record GameRules(
         public GameRules build() {
             return new GameRules(
                     conventions,
+                    copies,
                     mazes,
                     initialMaze,
                     onlyMaze,

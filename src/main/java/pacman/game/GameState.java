@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.GHOST;
 import pacman.game.GameRules.Conventions;
+import pacman.game.GameRules.Copies;
 import pacman.maze.MazeGraph;
 import pacman.maze.MazePoses;
 import pacman.maze.MazeTables;
@@ -63,8 +64,15 @@ final class GameState {
             .mapToDouble(level -> Math.pow(Constants.EDIBLE_TIME_REDUCTION, level))
             .toArray();
 
+    /** Increment of the sequence of copies' seeds: an odd number near 2^64 divided by the golden ratio. */
+    private static final long COPY_INCREMENT = 0x9E3779B97F4A7C15L;
+
     final GameRules rules;
     final ResumableRandom random;
+    /** Start of the sequence of copies' seeds. */
+    private long copySeed;
+    /** Copies made so far of this object. */
+    private int copies;
     /** Generator of the run to which the game belongs; null if the game draws from its own alone. */
     final ResumableRandom shared;
     /** What happened so far; null in copies. */
@@ -139,16 +147,17 @@ final class GameState {
         this.rules = rules;
         this.shared = shared;
         random = new ResumableRandom(seed);
+        copySeed = seed;
         history = new GameHistory();
         ghosts = new int[4 * GHOSTS];
         start();
     }
 
-    private GameState(GameState other) {
+    private GameState(GameState other, ResumableRandom random, ResumableRandom shared) {
         boolean complete = other.rules.conventions() == Conventions.COMPETITION;
         rules = other.rules;
-        shared = other.shared;
-        random = other.random.copy();
+        this.random = random;
+        this.shared = shared;
         history = null;
         tables = other.tables;
         graph = other.graph;
@@ -192,14 +201,50 @@ final class GameState {
         }
     }
 
-    /** A copy that continues the generator; what it keeps else, the rules' conventions decide. */
+    /** A copy; which random numbers it draws, and which switches it keeps, the rules decide. */
     GameState copy() {
-        return new GameState(this);
+        if (rules.copies() == Copies.CONTINUE_THE_GAME) {
+            return snapshot();
+        }
+        long seed = nextCopySeed();
+        GameState copy = new GameState(this, new ResumableRandom(seed), null);
+        copy.copySeed = seed;
+        return copy;
+    }
+
+    /** A copy that continues the generators and counts for no copy: to be looked at, not to be handed to a controller. */
+    GameState snapshot() {
+        GameState copy = new GameState(this, random.copy(), shared);
+        copy.copySeed = copySeed;
+        return copy;
+    }
+
+    /** Sets a generator to where the next copy's would stand, and counts for that copy. */
+    void continueAsCopy(ResumableRandom scratch) {
+        if (rules.copies() == Copies.CONTINUE_THE_GAME) {
+            scratch.continueAs(random);
+        } else {
+            scratch.setSeed(nextCopySeed());
+        }
+    }
+
+    /**
+     * The finaliser of SplitMix64 (Steele, Lea and Flood 2014, doi:10.1145/2660193.2660195) over a counter. It mixes all bits,
+     * so that neighbouring copies have nothing in common; a generator keeps 48 of the 64, so that it does not tell the seed.
+     */
+    private long nextCopySeed() {
+        copies++;
+        long mixed = copySeed + COPY_INCREMENT * (((long) totalTime << Integer.SIZE) + copies);
+        mixed = (mixed ^ mixed >>> 30) * 0xBF58476D1CE4E5B9L;
+        mixed = (mixed ^ mixed >>> 27) * 0x94D049BB133111EBL;
+        return mixed ^ mixed >>> 31;
     }
 
     /** Begins the game anew with the random numbers of a seed. */
     void restart(long seed) {
         random.setSeed(seed);
+        copySeed = seed;
+        copies = 0;
         if (history != null) {
             history.clear();
         }

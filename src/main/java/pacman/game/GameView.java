@@ -70,7 +70,7 @@ public final class GameView extends JComponent {
     /** @param game the game to show, as it goes on */
     public GameView(Game game) {
         this.game = game;
-        painted = game.copy();
+        painted = game.snapshot();
         facing = game.getPacmanLastMoveMade();
         VIEWS.put(this, true);
     }
@@ -132,7 +132,7 @@ public final class GameView extends JComponent {
     @Override
     public void repaint() {
         if (game != null && !SwingUtilities.isEventDispatchThread()) {
-            painted = game.copy();
+            painted = game.snapshot();
         }
         super.repaint();
     }

@@ -51,9 +51,12 @@ final class GameRecorder {
 
     private static Map<String, GameRules> allRules() {
         GameRules base = GameRules.blended();
+        // The recorded games were made with copies that continue the game, and are read with these.
+        GameRules.Copies continuing = GameRules.Copies.CONTINUE_THE_GAME;
         Map<String, GameRules> rules = new LinkedHashMap<>();
-        rules.put("competition", GameRules.competition());
-        rules.put("mpmvsg", GameRules.mpmVsGhosts());
+        rules.put(
+                "competition", GameRules.competition().with().copies(continuing).build());
+        rules.put("mpmvsg", GameRules.mpmVsGhosts().with().copies(continuing).build());
         rules.put("fourmaze", GameRules.fourMaze());
         rules.put("blended", base);
         rules.put("interleaved", GameRules.interleaved());

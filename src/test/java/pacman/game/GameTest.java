@@ -73,11 +73,15 @@ class GameTest {
     }
 
     @Test
-    void competitionCopy_isTheGamesEqual_flagsIncluded() {
+    void competitionCopyThatContinues_isTheGamesEqual_flagsIncluded() {
         ResumableRandom random = new ResumableRandom(5);
         int flagsSeen = 0;
+        GameRules rules = GameRules.competition()
+                .with()
+                .copies(GameRules.Copies.CONTINUE_THE_GAME)
+                .build();
         for (long seed = 0; seed < 20; seed++) {
-            Game game = new Game(seed);
+            Game game = new Game(seed, rules);
             while (!game.gameOver()) {
                 Game copy = game.copy();
                 assertThat(copy.getGameState()).isEqualTo(game.getGameState());
