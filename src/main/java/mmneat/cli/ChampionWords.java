@@ -6,8 +6,8 @@ import java.util.Optional;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
-import mmneat.experiment.PublishedConfigurations;
 import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.PublishedConfigurations;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 

@@ -13,8 +13,8 @@ import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.results.RunReader;
 import mmneat.analysis.results.RunResult;
-import mmneat.experiment.ExperimentPlan;
-import mmneat.experiment.RunOutcome;
+import mmneat.experiment.run.ExperimentPlan;
+import mmneat.experiment.run.RunOutcome;
 
 /** The learning curve of an experiment, of any task, as a picture in its folder. */
 final class LearningCurve {

@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import mmneat.analysis.evaluation.Champion;
-import mmneat.experiment.Experiment;
-import mmneat.experiment.ExperimentPlan;
-import mmneat.experiment.ParameterCatalogue;
-import mmneat.experiment.ParameterReader;
-import mmneat.experiment.RunMonitor;
-import mmneat.experiment.RunOutcome;
-import mmneat.experiment.TaskKind;
+import mmneat.experiment.parameters.ParameterCatalogue;
+import mmneat.experiment.parameters.ParameterReader;
+import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.run.Experiment;
+import mmneat.experiment.run.ExperimentPlan;
+import mmneat.experiment.run.RunMonitor;
+import mmneat.experiment.run.RunOutcome;
 import picocli.CommandLine.ExitCode;
 
 /**

@@ -2,8 +2,8 @@ package mmneat.cli;
 
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
-import mmneat.experiment.Parameter;
-import mmneat.experiment.ParameterCatalogue;
+import mmneat.experiment.parameters.Parameter;
+import mmneat.experiment.parameters.ParameterCatalogue;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;

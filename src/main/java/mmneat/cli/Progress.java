@@ -9,10 +9,10 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.evolution.DaemonThreads;
-import mmneat.experiment.ExperimentPlan;
-import mmneat.experiment.RunMonitor;
-import mmneat.experiment.RunMonitor.Phase;
-import mmneat.experiment.RunMonitor.Snapshot;
+import mmneat.experiment.run.ExperimentPlan;
+import mmneat.experiment.run.RunMonitor;
+import mmneat.experiment.run.RunMonitor.Phase;
+import mmneat.experiment.run.RunMonitor.Snapshot;
 import picocli.CommandLine.Help.Ansi;
 
 /**

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import mmneat.analysis.statistics.Numbers;
-import mmneat.experiment.ExperimentPlan;
-import mmneat.experiment.RunMonitor.Phase;
-import mmneat.experiment.RunOutcome;
+import mmneat.experiment.run.ExperimentPlan;
+import mmneat.experiment.run.RunMonitor.Phase;
+import mmneat.experiment.run.RunOutcome;
 
 /** What came out of an experiment: a line for each run, the best first. */
 final class ResultTable {

@@ -2,8 +2,8 @@ package mmneat.evolution;
 
 import java.util.Objects;
 import java.util.OptionalInt;
-import mmneat.neat.InitialNetworks;
-import mmneat.neat.VariationSettings;
+import mmneat.neat.variation.InitialNetworks;
+import mmneat.neat.variation.VariationSettings;
 import mmneat.nsga2.ParentSelection;
 
 /**

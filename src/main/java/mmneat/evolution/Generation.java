@@ -3,7 +3,7 @@ package mmneat.evolution;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.ToDoubleFunction;
-import mmneat.neat.Offspring;
+import mmneat.neat.variation.Offspring;
 
 /**
  * What happened in one generation.

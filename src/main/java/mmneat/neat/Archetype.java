@@ -75,20 +75,20 @@ public final class Archetype {
      *
      * @return the position of the new entry
      */
-    int insertSpliced(NodeGene neuron, long linkSource, int inputs) {
+    public int insertSpliced(NodeGene neuron, long linkSource, int inputs) {
         int position = Math.min(firstOutput(), Math.max(inputs, indexOf(linkSource) + 1));
         entries.add(position, neuron);
         return position;
     }
 
     /** Whether a neuron just inserted at a position calls for a shadow, if its network has one module. */
-    boolean needsShadow(int position) {
+    public boolean needsShadow(int position) {
         NodeGene previous = entries.get(position - 1);
         return previous.type() == NodeType.INPUT || shadows.containsKey(previous.innovation());
     }
 
     /** Adds the shadow of the neuron at a position: behind the previous neuron's shadow, or before all of them. */
-    void insertShadow(int position, long shadowInnovation) {
+    public void insertShadow(int position, long shadowInnovation) {
         NodeGene neuron = entries.get(position);
         NodeGene previous = entries.get(position - 1);
         int shadowPosition = previous.type() == NodeType.INPUT

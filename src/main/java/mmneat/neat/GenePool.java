@@ -6,7 +6,7 @@ import java.util.Objects;
  * What the genotypes of one population share: the counters of innovations and of genotype ids, and the archetype.
  *
  * <p>One pool belongs to one run and one thread. Reading its state and resuming from it continues exactly. A pool and its
- * genotypes belong together: innovations of another pool's genotypes mean other structures, and {@link Reproduction} refuses
+ * genotypes belong together: innovations of another pool's genotypes mean other structures, and reproduction refuses
  * those that it can tell from its own.
  *
  * <p>Source: docs/specification/networks.md, sections 4 and 10.
@@ -54,7 +54,7 @@ public final class GenePool {
      *
      * @throws IllegalArgumentException if so
      */
-    void requireOwn(Genotype genotype) {
+    public void requireOwn(Genotype genotype) {
         int unknown = archetype.firstUnknown(genotype);
         if (unknown >= 0) {
             throw new IllegalArgumentException("genotype " + genotype.id() + " is not of this pool: nodes[" + unknown
@@ -70,7 +70,7 @@ public final class GenePool {
     }
 
     /** Takes an innovation number for a new node or link. */
-    long takeInnovation() {
+    public long takeInnovation() {
         return nextInnovation++;
     }
 

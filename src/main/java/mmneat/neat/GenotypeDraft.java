@@ -11,7 +11,7 @@ import java.util.Map;
  * <p>Node order, link order and counts are those of {@link Genotype}; between the steps of a module mutation the outputs may not
  * make whole modules.
  */
-final class GenotypeDraft {
+public final class GenotypeDraft {
 
     private long id;
     private final int inputs;
@@ -36,7 +36,7 @@ final class GenotypeDraft {
     }
 
     /** The genotype itself, to be changed. */
-    static GenotypeDraft of(Genotype original) {
+    public static GenotypeDraft of(Genotype original) {
         return new GenotypeDraft(original, original.id(), new ArrayList<>(original.links()));
     }
 
@@ -44,12 +44,12 @@ final class GenotypeDraft {
      * A copy as the original makes it, by building a network and reading it back: inactive links disappear, and links are
      * grouped by source in node order. Source: docs/specification/networks.md, section 7.
      */
-    static GenotypeDraft copyOf(Genotype original, long id) {
+    public static GenotypeDraft copyOf(Genotype original, long id) {
         return new GenotypeDraft(original, id, activeLinksBySource(original.nodes(), original.links()));
     }
 
     /** The active links, grouped by source in node order, links of one source in their previous order. */
-    static List<LinkGene> activeLinksBySource(List<NodeGene> nodes, List<LinkGene> links) {
+    public static List<LinkGene> activeLinksBySource(List<NodeGene> nodes, List<LinkGene> links) {
         Map<Long, Integer> positions = positionsOf(nodes);
         int[] sourcePosition = new int[links.size()];
         int[] groupEnd = new int[nodes.size() + 1];
@@ -74,7 +74,7 @@ final class GenotypeDraft {
     }
 
     /** Position of each neuron by innovation. */
-    static Map<Long, Integer> positionsOf(List<NodeGene> nodes) {
+    public static Map<Long, Integer> positionsOf(List<NodeGene> nodes) {
         Map<Long, Integer> positions = new HashMap<>(nodes.size() * 2);
         for (int i = 0; i < nodes.size(); i++) {
             positions.put(nodes.get(i).innovation(), i);
@@ -87,65 +87,65 @@ final class GenotypeDraft {
      *
      * @throws IllegalArgumentException if the genes do not make a network
      */
-    Genotype finish() {
+    public Genotype finish() {
         ModuleLayout layout = new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
         return new Genotype(id, inputs, layout, nodes, links, moduleUsage);
     }
 
-    long id() {
+    public long id() {
         return id;
     }
 
-    int inputs() {
+    public int inputs() {
         return inputs;
     }
 
-    int outputs() {
+    public int outputs() {
         return outputs;
     }
 
-    int modules() {
+    public int modules() {
         return modules;
     }
 
-    int policyNeuronsPerModule() {
+    public int policyNeuronsPerModule() {
         return policyNeuronsPerModule;
     }
 
     /** Division of the outputs at this moment; only between whole module mutations. */
-    ModuleLayout layout() {
+    public ModuleLayout layout() {
         return new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
     }
 
     /** Node genes in activation order; may be changed. */
-    List<NodeGene> nodes() {
+    public List<NodeGene> nodes() {
         return nodes;
     }
 
     /** Link genes; may be changed. */
-    List<LinkGene> links() {
+    public List<LinkGene> links() {
         return links;
     }
 
-    int[] moduleUsage() {
+    public int[] moduleUsage() {
         return moduleUsage;
     }
 
-    void setModuleUsage(int[] usage) {
+    public void setModuleUsage(int[] usage) {
         moduleUsage = usage;
     }
 
-    int firstOutput() {
+    public int firstOutput() {
         return nodes.size() - outputs;
     }
 
     /** Output neuron by its number among the outputs. */
-    NodeGene output(int number) {
+    public NodeGene output(int number) {
         return nodes.get(firstOutput() + number);
     }
 
     /** Position of a neuron in node order; -1 if there is none. */
-    int indexOf(long innovation) {
+    public int indexOf(long innovation) {
         for (int i = 0; i < nodes.size(); i++) {
             if (nodes.get(i).innovation() == innovation) {
                 return i;
@@ -155,7 +155,7 @@ final class GenotypeDraft {
     }
 
     /** Whether there is a link, active or not, between two neurons. */
-    boolean hasLink(long source, long target) {
+    public boolean hasLink(long source, long target) {
         for (LinkGene link : links) {
             if (link.source() == source && link.target() == target) {
                 return true;
@@ -168,7 +168,7 @@ final class GenotypeDraft {
      * The innovation that the next output neuron gets: outputs are known by position. Where full module mutation together with
      * deleted modules or excess crossover has left that one to another output of this network, it is a new one.
      */
-    long nextOutputInnovation(GenePool pool) {
+    public long nextOutputInnovation(GenePool pool) {
         long byPosition = outputInnovation(inputs, outputs);
         for (int output = 0; output < outputs; output++) {
             if (output(output).innovation() == byPosition) {
@@ -179,23 +179,23 @@ final class GenotypeDraft {
     }
 
     /** Innovation of an output neuron by its number. */
-    static long outputInnovation(int inputs, int output) {
+    public static long outputInnovation(int inputs, int output) {
         return -(inputs + output) - 1L;
     }
 
     /** Appends an output neuron here and, if its place is new, in the archetype. */
-    void appendOutput(NodeGene output, GenePool pool) {
+    public void appendOutput(NodeGene output, GenePool pool) {
         nodes.add(output);
         outputs++;
         pool.archetype().addOutput(output);
     }
 
-    void addModule() {
+    public void addModule() {
         modules++;
     }
 
     /** Adopts genes that came from elsewhere, and counts outputs and modules again. */
-    void replaceGenes(List<NodeGene> newNodes, List<LinkGene> newLinks) {
+    public void replaceGenes(List<NodeGene> newNodes, List<LinkGene> newLinks) {
         List<NodeGene> nodesToAdopt = List.copyOf(newNodes);
         List<LinkGene> linksToAdopt = List.copyOf(newLinks);
         nodes.clear();

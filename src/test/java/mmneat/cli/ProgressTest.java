@@ -3,8 +3,8 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import mmneat.experiment.RunMonitor.Phase;
-import mmneat.experiment.RunMonitor.Snapshot;
+import mmneat.experiment.run.RunMonitor.Phase;
+import mmneat.experiment.run.RunMonitor.Snapshot;
 import org.junit.jupiter.api.Test;
 
 class ProgressTest {

@@ -4,6 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import mmneat.neat.variation.InitialNetworks;
+import mmneat.neat.variation.MutationRates;
+import mmneat.neat.variation.Offspring;
+import mmneat.neat.variation.RandomLineages;
+import mmneat.neat.variation.Reproduction;
+import mmneat.neat.variation.VariationSettings;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 

@@ -8,6 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.TreeMap;
+import mmneat.neat.variation.InitialNetworks;
+import mmneat.neat.variation.MutationRates;
+import mmneat.neat.variation.Offspring;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Optional;
 import mmneat.analysis.results.MethodName;
 import mmneat.evolution.Task;
-import mmneat.experiment.ParameterCatalogue;
-import mmneat.experiment.ParameterReader;
-import mmneat.experiment.Tasks;
 import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.ParameterCatalogue;
+import mmneat.experiment.parameters.ParameterReader;
+import mmneat.experiment.parameters.Tasks;
 import mmneat.neat.Genotype;
 
 /** Finds the task of a champion: that of its run, or the published one that its network suits. */

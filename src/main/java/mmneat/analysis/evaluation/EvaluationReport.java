@@ -13,7 +13,7 @@ import mmneat.evolution.Evaluation;
 import mmneat.evolution.SampleStatistics;
 import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
-import mmneat.experiment.files.DoubleText;
+import mmneat.experiment.store.DoubleText;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;
 import mmneat.mspacman.GameEnd;

@@ -14,8 +14,8 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import mmneat.experiment.PublishedConfigurations;
 import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.PublishedConfigurations;
 
 /**
  * Finds the experiments that a user means by a path: {@code results/blended} is every method in it, {@code results/blended/2M}

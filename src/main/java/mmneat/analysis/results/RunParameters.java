@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
-import mmneat.experiment.PropertiesFile;
 import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.PropertiesFile;
 
 /** The saved parameters of a run: ours, or the original's, whose lines {@code name:value} are properties as well. */
 public final class RunParameters {

@@ -6,9 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import mmneat.neat.Genotype;
-import mmneat.neat.InitialNetworks;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.io.GenotypeJson;
+import mmneat.neat.variation.InitialNetworks;
 import mmneat.random.ResumableRandom;
 
 /** Writes folders of runs as a finished experiment leaves them, with made-up scores. */

@@ -1,0 +1,94 @@
+package mmneat.experiment.original;
+
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.stream.IntStream;
+import mmneat.evolution.Individual;
+import mmneat.evolution.SampleStatistics;
+
+/**
+ * The log of how many modules the best and the worst parents have, and how well parents do with each number of modules.
+ *
+ * <p>Source: docs/specification/evolution.md, section 5.2 (ModeUsage).
+ */
+final class ModuleCountLog {
+
+    private static final String NAME = "ModeUsage";
+    private static final int COUNTED_APART = 5;
+
+    /** The last one says 6 for 5, as in the original. */
+    private static final List<String> LABELS = List.of(
+            "Max Modes of Best",
+            "Min Modes of Best",
+            "Avg Modes of Best",
+            "Max Modes of Worst",
+            "Min Modes of Worst",
+            "Avg Modes of Worst",
+            "1 Mode Best",
+            "2 Mode Best",
+            "3 Mode Best",
+            "4 Mode Best",
+            "5 Mode Best",
+            "More Than 6 Modes Best");
+
+    private ModuleCountLog() {}
+
+    static String file(String prefix) {
+        return prefix + NAME + "_log.txt";
+    }
+
+    static String plotFile(String prefix) {
+        return prefix + NAME + "_log.plot";
+    }
+
+    /** The row of a generation. */
+    static String row(int generation, List<Individual> parents) {
+        DoubleSummaryStatistics scores =
+                parents.stream().mapToDouble(ModuleCountLog::score).summaryStatistics();
+        double[] values = new double[LABELS.size()];
+        modulesOfThoseWith(scores.getMax(), parents, values, 0);
+        modulesOfThoseWith(scores.getMin(), parents, values, 3);
+        for (int modules = 1; modules <= COUNTED_APART + 1; modules++) {
+            values[5 + modules] = bestWith(modules, parents);
+        }
+        return generation + "\t" + PopulationLog.tabbed(values) + "\n";
+    }
+
+    /** Most, fewest and mean number of modules among the parents with a score. */
+    private static void modulesOfThoseWith(double score, List<Individual> parents, double[] values, int first) {
+        double[] modules = parents.stream()
+                .filter(parent -> score(parent) == score)
+                .mapToDouble(parent -> parent.genotype().modules())
+                .toArray();
+        SampleStatistics statistics = SampleStatistics.of(modules);
+        values[first] = statistics.max();
+        values[first + 1] = statistics.min();
+        values[first + 2] = statistics.mean();
+    }
+
+    /** The best score of the parents with a number of modules, the largest number standing for all above; 0 if none. */
+    private static double bestWith(int modules, List<Individual> parents) {
+        return parents.stream()
+                .filter(parent -> Math.min(parent.genotype().modules(), COUNTED_APART + 1) == modules)
+                .mapToDouble(ModuleCountLog::score)
+                .max()
+                .orElse(0);
+    }
+
+    /** The first of the other scores, which in Ms. Pac-Man is the mean game score; without other scores the first objective. */
+    private static double score(Individual individual) {
+        double[] others = individual.evaluation().otherScores();
+        return others.length > 0 ? others[0] : individual.evaluation().objectives()[0];
+    }
+
+    /** The gnuplot script that shows the log. */
+    static String plotScript(String prefix) {
+        PlotScript script = new PlotScript("set style data lines", "set xlabel \"Generation\"", "set yrange [0:]", "");
+        IntStream.range(0, LABELS.size()).forEach(i -> {
+            String label = LABELS.get(i);
+            script.picture(prefix + NAME + " " + label, List.of(new PlotScript.Curve(file(prefix), i + 2, label)))
+                    .line("");
+        });
+        return script.toString();
+    }
+}

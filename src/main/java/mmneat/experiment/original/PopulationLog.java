@@ -1,0 +1,73 @@
+package mmneat.experiment.original;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import mmneat.evolution.SampleStatistics;
+import mmneat.experiment.store.DoubleText;
+
+/**
+ * A log with a row for each generation: of every property of a population its least, mean and largest value and its standard
+ * deviation.
+ *
+ * <p>Source: docs/specification/evolution.md, sections 5.2 and 5.3.
+ *
+ * @param name what the log is of, such as {@code parents}
+ * @param labels names of the properties
+ */
+record PopulationLog(String name, List<String> labels) {
+
+    private static final int COLUMNS_PER_PROPERTY = 4;
+
+    /** Name of the log's file. */
+    String file(String prefix) {
+        return prefix + name + "_log.txt";
+    }
+
+    /** Name of the log's gnuplot script. */
+    String plotFile(String prefix) {
+        return prefix + name + "_log.plot";
+    }
+
+    /** First column of a property in the file, counted from 1: the least value. */
+    static int firstColumn(int property) {
+        return 2 + COLUMNS_PER_PROPERTY * property;
+    }
+
+    /**
+     * The row of a generation.
+     *
+     * @param population the properties of each individual
+     */
+    String row(int generation, List<double[]> population) {
+        StringBuilder row = new StringBuilder().append(generation).append('\t');
+        for (int property = 0; property < labels.size(); property++) {
+            int column = property;
+            SampleStatistics statistics = SampleStatistics.of(population.stream()
+                    .mapToDouble(properties -> properties[column])
+                    .toArray());
+            row.append(tabbed(statistics.min(), statistics.mean(), statistics.max(), statistics.deviation()));
+        }
+        return row.append('\n').toString();
+    }
+
+    /** The gnuplot script that shows the log. */
+    String plotScript(String prefix) {
+        PlotScript script = new PlotScript("set style data lines", "set xlabel \"Generation\"", "");
+        IntStream.range(0, labels.size()).forEach(property -> {
+            int column = firstColumn(property);
+            script.picture(
+                            prefix + name + " " + labels.get(property),
+                            PlotScript.spread(file(prefix), column, column + 1, column + 2))
+                    .line("");
+        });
+        return script.toString();
+    }
+
+    /** Numbers, a tab behind each. */
+    static String tabbed(double... values) {
+        StringBuilder text = new StringBuilder();
+        Arrays.stream(values).forEach(value -> text.append(DoubleText.of(value)).append('\t'));
+        return text.toString();
+    }
+}

@@ -1,0 +1,221 @@
+package mmneat.experiment.original;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import mmneat.evolution.Evaluation;
+import mmneat.evolution.EvolutionObserver;
+import mmneat.evolution.EvolutionState;
+import mmneat.evolution.Generation;
+import mmneat.evolution.Individual;
+import mmneat.evolution.Task;
+import mmneat.experiment.store.RunFolder;
+import mmneat.neat.Genotype;
+import mmneat.neat.io.GenotypeXml;
+
+/**
+ * Writes what the original writes into a run's folder: score files, logs, gnuplot scripts, champions, networks and archetype.
+ *
+ * <p>All files of a generation are written when it is over. A generation that was interrupted is evolved again, and its files
+ * come out the same. The networks are the exception if only the newest are wanted: they follow from the checkpoint, they are many,
+ * and most would be deleted at once; {@link #writeNewestNetworks} writes them.
+ *
+ * <p>Source: docs/specification/evolution.md, section 5.
+ */
+public final class RunFiles implements EvolutionObserver {
+
+    private static final Pattern NETWORKS_FOLDER = Pattern.compile("initial|gen\\d+");
+
+    private final RunFolder folder;
+    private final Task task;
+    private final Choice choice;
+
+    private final PopulationLog parentsLog;
+    private final PopulationLog childLog;
+    private final PopulationLog networksLog;
+    private final PopulationLog performanceLog;
+
+    /**
+     * Which files are wanted. The names in brackets are the parameters.
+     *
+     * @param logs score files, logs and gnuplot scripts ({@code io})
+     * @param networks networks, archetype and champions ({@code netio})
+     * @param moduleCounts whether networks may have several modules, so that there is a log of their numbers
+     * @param keepsNewestNetworksOnly whether the networks of earlier generations are deleted ({@code cleanOldNetworks})
+     */
+    public record Choice(boolean logs, boolean networks, boolean moduleCounts, boolean keepsNewestNetworksOnly) {}
+
+    /** Files about the evolution for a task, in a folder. */
+    public RunFiles(RunFolder folder, Task task, Choice choice) {
+        this.folder = folder;
+        this.task = task;
+        this.choice = choice;
+        List<String> scores = new ArrayList<>(task.objectiveNames());
+        scores.addAll(task.otherScoreNames());
+        parentsLog = new PopulationLog("parents", scores);
+        childLog = new PopulationLog("child", scores);
+        networksLog = new PopulationLog("TWEANNData", NetworkProperties.labels(task.inputLabels()));
+        performanceLog = new PopulationLog("Performance", EvaluationCosts.LABELS);
+    }
+
+    /** Writes what is there before the first generation of a new run: scripts, initial networks, archetype. */
+    public void begin(EvolutionState initial) {
+        if (choice.logs) {
+            String prefix = folder.prefix();
+            for (PopulationLog log : List.of(parentsLog, childLog, networksLog, performanceLog)) {
+                folder.write(log.plotFile(prefix), log.plotScript(prefix));
+            }
+            if (choice.moduleCounts) {
+                folder.write(ModuleCountLog.plotFile(prefix), ModuleCountLog.plotScript(prefix));
+            }
+        }
+        writeNewestNetworks(initial);
+    }
+
+    /**
+     * Writes the networks of the next parents and the archetype; earlier ones are deleted if only the newest are wanted. To be
+     * called after the last generation, and whenever it is worth while before.
+     */
+    public void writeNewestNetworks(EvolutionState next) {
+        if (!choice.networks) {
+            return;
+        }
+        writeNetworks(next);
+        if (choice.keepsNewestNetworksOnly) {
+            String newest = networksFolder(next.generation());
+            folder.folders().stream()
+                    .filter(name -> NETWORKS_FOLDER.matcher(name).matches() && !name.equals(newest))
+                    .forEach(folder::deleteFolder);
+        }
+    }
+
+    @Override
+    public void generationCompleted(Generation generation, EvolutionState next) {
+        if (choice.logs) {
+            writeScores("child", generation.number(), generation.children());
+            log(childLog, generation.number(), scores(generation.children()));
+            logParents(generation);
+            List<Individual> everybody = Stream.concat(generation.parents().stream(), generation.children().stream())
+                    .toList();
+            log(performanceLog, generation.number(), EvaluationCosts.of(everybody, task.trials()));
+            logOffspring(generation);
+        }
+        if (choice.networks) {
+            writeChampion(generation.champion(task));
+            writeBestInObjectives(generation.children());
+            writeShadows(next);
+            if (!choice.keepsNewestNetworksOnly) {
+                writeNetworks(next);
+            }
+        }
+    }
+
+    @Override
+    public void completed(Generation finalParents) {
+        if (choice.logs) {
+            logParents(finalParents);
+        }
+        if (choice.networks) {
+            // The champion stays that of the last generation with children: the original's quirk.
+            writeBestInObjectives(finalParents.parents());
+        }
+    }
+
+    private void logParents(Generation generation) {
+        int number = generation.number();
+        List<Individual> parents = generation.parents();
+        writeScores("parents", number, parents);
+        log(parentsLog, number, scores(parents));
+        log(networksLog, number, networks(parents, generation.archetypeSize()));
+        if (choice.moduleCounts) {
+            folder.append(ModuleCountLog.file(folder.prefix()), ModuleCountLog.row(number, parents));
+        }
+    }
+
+    private void logOffspring(Generation generation) {
+        String prefix = folder.prefix();
+        folder.append(
+                OffspringLogs.mutationsFile(prefix),
+                OffspringLogs.mutations(generation.number(), generation.offspring()));
+        folder.append(
+                OffspringLogs.lineageFile(prefix), OffspringLogs.lineage(generation.number(), generation.offspring()));
+    }
+
+    private void writeScores(String who, int generation, List<Individual> individuals) {
+        String name = folder.prefix() + who;
+        folder.write(name + "_gen" + generation + ".txt", ScoreTables.of(individuals, Evaluation::objectives));
+        folder.write(
+                name + "_other_scores_gen" + generation + ".txt", ScoreTables.of(individuals, Evaluation::otherScores));
+    }
+
+    private void log(PopulationLog log, int generation, List<double[]> population) {
+        folder.append(log.file(folder.prefix()), log.row(generation, population));
+    }
+
+    private static List<double[]> scores(List<Individual> individuals) {
+        return individuals.stream()
+                .map(Individual::evaluation)
+                .map(evaluation -> Stream.of(evaluation.objectives(), evaluation.otherScores())
+                        .flatMapToDouble(Arrays::stream)
+                        .toArray())
+                .toList();
+    }
+
+    private static List<double[]> networks(List<Individual> individuals, int archetypeSize) {
+        return individuals.stream()
+                .map(individual -> NetworkProperties.of(individual.genotype(), archetypeSize))
+                .toList();
+    }
+
+    private void writeChampion(Individual champion) {
+        folder.write("bestPacMan/bestPacMan.xml", GenotypeXml.write(champion.genotype()));
+        folder.write("bestPacMan/score.txt", ScoreTables.line(champion));
+    }
+
+    private void writeBestInObjectives(List<Individual> population) {
+        for (int objective = 0; objective < task.objectiveNames().size(); objective++) {
+            Individual best = Generation.bestIn(population, objective);
+            folder.write("bestObjectives/bestIn" + objective + ".xml", GenotypeXml.write(best.genotype()));
+            folder.write("bestObjectives/score" + objective + ".txt", ScoreTables.line(best));
+        }
+    }
+
+    private void writeNetworks(EvolutionState state) {
+        String name = networksFolder(state.generation());
+        int index = 0;
+        for (Genotype genotype : state.population()) {
+            String file = name + "/" + folder.prefix() + name + "_" + index++ + ".xml";
+            if (choice.keepsNewestNetworksOnly) {
+                folder.writeRemakeable(file, GenotypeXml.write(genotype));
+            } else {
+                // Those of earlier generations are in no checkpoint.
+                folder.write(file, GenotypeXml.write(genotype));
+            }
+        }
+        folder.writeRemakeable(
+                "archetype0.xml",
+                GenotypeXml.writeArchetype(state.pool().archetype().entries()));
+    }
+
+    /** The file stays as it is when no shadow entries are left. */
+    private void writeShadows(EvolutionState state) {
+        SortedMap<Long, Long> shadows = state.pool().archetype().shadows();
+        if (!shadows.isEmpty()) {
+            folder.write("combiningCrossoverMapping.txt", shadowLines(shadows));
+        }
+    }
+
+    private static String shadowLines(SortedMap<Long, Long> shadows) {
+        StringBuilder lines = new StringBuilder();
+        shadows.forEach((neuron, shadow) ->
+                lines.append(neuron).append(' ').append(shadow).append('\n'));
+        return lines.toString();
+    }
+
+    private static String networksFolder(int generation) {
+        return generation == 0 ? "initial" : "gen" + generation;
+    }
+}

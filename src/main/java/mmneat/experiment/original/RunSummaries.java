@@ -1,0 +1,189 @@
+package mmneat.experiment.original;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import mmneat.evolution.SampleStatistics;
+import mmneat.evolution.Task;
+import mmneat.experiment.UserError;
+import mmneat.experiment.store.DoubleText;
+import mmneat.experiment.store.RunFolder;
+import mmneat.nsga2.Hypervolume;
+
+/**
+ * Summaries over the runs of an experiment: hypervolumes, logs averaged over runs, and the gnuplot scripts that show them.
+ *
+ * <p>Unlike the original, nothing of the runs is lost on the way: all generations that all runs have are averaged.
+ *
+ * <p>Source: docs/specification/evolution.md, section 7.
+ */
+public final class RunSummaries {
+
+    private static final String HYPERVOLUMES = "parents_genHV";
+
+    private final Path base;
+    private final String saveTo;
+    private final String log;
+    private final Task task;
+    private final RunFolder output;
+
+    /**
+     * Summaries of an experiment.
+     *
+     * @param base folder with the folders of the runs, where the summaries are written
+     * @param saveTo what the folders of the runs are called, without the run number
+     * @param log what their files' names start with, without the run number
+     * @param task whose scores and inputs the files tell of
+     */
+    public RunSummaries(Path base, String saveTo, String log, Task task) {
+        this.base = base;
+        this.saveTo = saveTo;
+        this.log = log;
+        this.task = task;
+        output = new RunFolder(base, log);
+    }
+
+    /**
+     * Writes the summaries of these runs.
+     *
+     * @throws UserError if a run's file cannot be read or does not hold the numbers that it should; the message names it
+     * @throws java.io.UncheckedIOException if a summary cannot be written
+     */
+    public void write(List<Integer> runs) {
+        writeHypervolumes(runs);
+        writeAverages(runs, HYPERVOLUMES + ".txt");
+        writeHypervolumePlots(runs);
+        writeAverages(runs, "parents_log.txt");
+        writeAverages(runs, "TWEANNData_log.txt");
+        writeAverages(runs, "Performance_log.txt");
+        writeSpreadPlot("parents_genScores", "parents_log.txt", quoted(scoreLabels()));
+        writeSpreadPlot("TWEANNData_log", "TWEANNData_log.txt", NetworkProperties.labels(task.inputLabels()));
+        writeSpreadPlot("Performance_log", "Performance_log.txt", EvaluationCosts.LABELS);
+    }
+
+    /** Writes for each run the hypervolume and the size of its parents' front in every generation. */
+    public void writeHypervolumes(List<Integer> runs) {
+        for (int run : runs) {
+            RunFolder folder = folderOf(run);
+            int generations = rows(run, "child_log.txt").size();
+            StringBuilder lines = new StringBuilder();
+            for (int generation = 0; generation < generations; generation++) {
+                double[][] scores = rows(run, "parents_gen" + generation + ".txt").stream()
+                        .map(row -> Arrays.copyOfRange(row, 2, row.length))
+                        .toArray(double[][]::new);
+                lines.append(generation).append('\t');
+                lines.append(DoubleText.of(Hypervolume.of(scores, task.referencePoint())))
+                        .append('\t');
+                lines.append(Hypervolume.frontSize(scores)).append('\n');
+            }
+            folder.write(folder.prefix() + HYPERVOLUMES + ".txt", lines.toString());
+        }
+    }
+
+    /** Every column becomes two: mean and variance over the runs. */
+    private void writeAverages(List<Integer> runs, String file) {
+        List<List<double[]>> ofRuns = runs.stream().map(run -> rows(run, file)).toList();
+        int common = ofRuns.stream().mapToInt(List::size).min().orElse(0);
+        StringBuilder lines = new StringBuilder();
+        for (int i = 0; i < common; i++) {
+            int row = i;
+            for (int column = 0; column < ofRuns.get(0).get(row).length; column++) {
+                int c = column;
+                double[] sample =
+                        ofRuns.stream().mapToDouble(rows -> rows.get(row)[c]).toArray();
+                lines.append(
+                        PopulationLog.tabbed(SampleStatistics.meanOf(sample), SampleStatistics.varianceOf(sample)));
+            }
+            lines.append('\n');
+        }
+        output.write(log + "AVG_" + file, lines.toString());
+    }
+
+    private void writeHypervolumePlots(List<Integer> runs) {
+        PlotScript all = new PlotScript("set style data lines", "set key left")
+                .picture("Hypervolumes for " + saveTo + " by Generation", curvesOfRuns(runs, 2))
+                .line("")
+                .picture("Pareto Front Size for " + saveTo + " by Generation", curvesOfRuns(runs, 3));
+        output.write(log + "All_" + HYPERVOLUMES + ".plot", all.toString());
+
+        String averages = log + "AVG_" + HYPERVOLUMES + ".txt";
+        PlotScript average = new PlotScript("set style data lines", "set key left")
+                .picture(
+                        "Average Hypervolume for " + saveTo + " by Generation",
+                        List.of(new PlotScript.Curve(averages, meanColumn(2), saveTo)))
+                .line("set yrange [0:]")
+                .picture(
+                        "Average Pareto Front Size for " + saveTo + " by Generation",
+                        List.of(new PlotScript.Curve(averages, meanColumn(3), saveTo)));
+        output.write(log + "AVG_" + HYPERVOLUMES + ".plot", average.toString());
+    }
+
+    private List<PlotScript.Curve> curvesOfRuns(List<Integer> runs, int column) {
+        return runs.stream()
+                .map(run -> new PlotScript.Curve(
+                        saveTo + run + "/" + log + run + "_" + HYPERVOLUMES + ".txt", column, saveTo + run))
+                .toList();
+    }
+
+    private void writeSpreadPlot(String name, String file, List<String> labels) {
+        PlotScript script = new PlotScript("set style data lines", "set key left");
+        for (int property = 0; property < labels.size(); property++) {
+            int column = PopulationLog.firstColumn(property);
+            script.picture(
+                            "Average " + labels.get(property) + " for " + saveTo + " by Generation",
+                            PlotScript.spread(
+                                    log + "AVG_" + file,
+                                    meanColumn(column),
+                                    meanColumn(column + 1),
+                                    meanColumn(column + 2)))
+                    .line("");
+        }
+        output.write(log + "AVG_" + name + ".plot", script.toString());
+    }
+
+    /** Where the mean of a log's column is found in the averages; both counted from 1. */
+    private static int meanColumn(int column) {
+        return 2 * column - 1;
+    }
+
+    private List<String> scoreLabels() {
+        return Stream.concat(task.objectiveNames().stream(), task.otherScoreLabels().stream())
+                .toList();
+    }
+
+    private static List<String> quoted(List<String> labels) {
+        return labels.stream().map(label -> "'" + label + "'").toList();
+    }
+
+    private RunFolder folderOf(int run) {
+        return new RunFolder(base.resolve(saveTo + run), log + run + "_");
+    }
+
+    private List<double[]> rows(int run, String file) {
+        RunFolder folder = folderOf(run);
+        Path path = folder.directory().resolve(folder.prefix() + file);
+        try {
+            List<String> lines = Files.readAllLines(path);
+            List<double[]> rows = new ArrayList<>(lines.size());
+            IntStream.range(0, lines.size()).forEach(i -> rows.add(numbers(path, i, lines.get(i))));
+            return rows;
+        } catch (IOException e) {
+            throw new UserError(path + ": cannot be read: " + e.getClass().getSimpleName(), e);
+        }
+    }
+
+    private static double[] numbers(Path file, int index, String line) {
+        try {
+            return Arrays.stream(line.split("\t"))
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
+        } catch (NumberFormatException e) {
+            throw new UserError(file + ", line " + (index + 1) + ": not a row of numbers: " + line, e);
+        }
+    }
+}

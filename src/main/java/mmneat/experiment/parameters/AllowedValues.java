@@ -1,0 +1,70 @@
+package mmneat.experiment.parameters;
+
+import java.util.List;
+
+/**
+ * What a parameter's value may be: a range of numbers, a choice of words, or anything.
+ *
+ * @param minimum the smallest number; minus infinity if there is none
+ * @param maximum the largest number; infinity if there is none
+ * @param choices the words of which the value must be one; empty: no such list
+ */
+record AllowedValues(double minimum, double maximum, List<String> choices) {
+
+    private static final AllowedValues ANYTHING =
+            new AllowedValues(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of());
+
+    AllowedValues {
+        choices = List.copyOf(choices);
+    }
+
+    /** Reads the catalogue's form: {@code 0..1}, {@code 1..}, {@code red|green}, or nothing. */
+    static AllowedValues of(String text) {
+        if (text.isEmpty()) {
+            return ANYTHING;
+        }
+        int dots = text.indexOf("..");
+        if (dots < 0) {
+            return new AllowedValues(ANYTHING.minimum, ANYTHING.maximum, List.of(text.split("\\|")));
+        }
+        String last = text.substring(dots + 2);
+        return new AllowedValues(
+                Double.parseDouble(text.substring(0, dots)),
+                last.isEmpty() ? Double.POSITIVE_INFINITY : Double.parseDouble(last),
+                List.of());
+    }
+
+    /** The choice that differs in nothing but upper and lower case, or the text itself. */
+    String spelled(String text) {
+        return choices.stream().filter(text::equalsIgnoreCase).findFirst().orElse(text);
+    }
+
+    boolean permits(ParameterType type, String canonical) {
+        if (!choices.isEmpty()) {
+            return choices.contains(canonical);
+        }
+        if (type == ParameterType.DOUBLE || type == ParameterType.INTEGER || type == ParameterType.LONG) {
+            double value = Double.parseDouble(canonical);
+            return value >= minimum && value <= maximum && Double.isFinite(value);
+        }
+        return true;
+    }
+
+    /** What is allowed, to stand behind "must be". */
+    String describe(ParameterType type) {
+        if (!choices.isEmpty()) {
+            return choices.size() == 1 ? choices.get(0) : "one of " + String.join(", ", choices);
+        }
+        if (minimum == Double.NEGATIVE_INFINITY && maximum == Double.POSITIVE_INFINITY) {
+            return type.description();
+        }
+        if (maximum == Double.POSITIVE_INFINITY) {
+            return type.description() + ", at least " + number(type, minimum);
+        }
+        return type.description() + " from " + number(type, minimum) + " to " + number(type, maximum);
+    }
+
+    private static String number(ParameterType type, double value) {
+        return type == ParameterType.DOUBLE ? Double.toString(value) : Long.toString((long) value);
+    }
+}

@@ -1,0 +1,144 @@
+package mmneat.experiment.parameters;
+
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.stream.Stream;
+import mmneat.evolution.EvolutionSettings;
+import mmneat.evolution.Task;
+import mmneat.experiment.UserError;
+import mmneat.neat.ActivationFunction;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.variation.InitialNetworks;
+import mmneat.neat.variation.InputSelection;
+import mmneat.neat.variation.ModuleGate;
+import mmneat.neat.variation.MutationRates;
+import mmneat.neat.variation.VariationSettings;
+import mmneat.nsga2.Crowding;
+import mmneat.nsga2.ParentSelection;
+
+/** The parameters that decide an evolution besides its task; named as the parameters, see the catalogue. */
+public record EvolutionParameters(
+        int randomSeed,
+        int initialPopulationSeed,
+        int mu,
+        int maxGens,
+        int cleanFrequency,
+        boolean mating,
+        double crossoverRate,
+        String crowding,
+        double crossExcessRate,
+        int ftype,
+        boolean fs,
+        int fsLinksPerOut,
+        int startingModes,
+        int multitaskModes,
+        int maxModes,
+        double usageForNewMode,
+        boolean deleteLeastUsed,
+        double netLinkRate,
+        double netSpliceRate,
+        double perLinkMutateRate,
+        double netPerturbRate,
+        double mmpRate,
+        double mmrRate,
+        double mmdRate,
+        double fullMMRate,
+        double deleteLinkRate,
+        double deleteModeRate,
+        double freezePolicyRate,
+        double freezePreferenceRate,
+        double freezeAlternateRate,
+        int disabledMode) {
+
+    /**
+     * The settings for a task.
+     *
+     * @throws UserError if the parameters do not go with the task
+     */
+    public EvolutionSettings settings(Task task) {
+        if (fs && fsLinksPerOut > task.inputs()) {
+            throw new UserError("fsLinksPerOut=" + fsLinksPerOut + ": the networks have " + task.inputs()
+                    + " inputs; give at most as many");
+        }
+        InputSelection selection = new InputSelection(fs, fsLinksPerOut);
+        ActivationFunction activation = ActivationFunction.ofCode(ftype);
+        return new EvolutionSettings(
+                randomSeed,
+                initialPopulationSeed == -1 ? OptionalInt.empty() : OptionalInt.of(initialPopulationSeed),
+                mu,
+                maxGens,
+                cleanFrequency,
+                new InitialNetworks(task.inputs(), layout(task.policyNeuronsPerModule()), selection, activation),
+                new ParentSelection(mating, crossoverRate, crowdingOf(crowding)),
+                new VariationSettings(
+                        rates(),
+                        new ModuleGate(maxModes, usageForNewMode),
+                        crossExcessRate,
+                        deleteLeastUsed,
+                        selection,
+                        activation));
+    }
+
+    private static Crowding crowdingOf(String crowding) {
+        return crowding.equals("front") ? Crowding.PER_FRONT : Crowding.WHOLE_POPULATION;
+    }
+
+    /**
+     * Makes sure that the parameters go together.
+     *
+     * @throws UserError naming those that do not
+     */
+    void requireConsistent() {
+        if (multitaskModes > 1 && choosesModules()) {
+            throw new UserError(chooser() + " does not go with multitaskModes=" + multitaskModes
+                    + ": either the task chooses the module or the network does; leave one of them out");
+        }
+        int modules = Math.max(startingModes, multitaskModes);
+        if (disabledMode >= modules && !rates().module().canAddModules()) {
+            throw new UserError("disabledMode=" + disabledMode + ": the networks have "
+                    + (modules == 1 ? "one module, number 0" : "modules 0 to " + (modules - 1)) + "; -1 disables none");
+        }
+    }
+
+    /** Whether networks choose their modules by preference neurons. */
+    private boolean choosesModules() {
+        return startingModes > 1 || rates().module().canAddModules();
+    }
+
+    /** The parameter because of which they do. */
+    private String chooser() {
+        if (startingModes > 1) {
+            return "startingModes=" + startingModes;
+        }
+        return Stream.of(
+                        Map.entry("mmdRate", mmdRate),
+                        Map.entry("mmpRate", mmpRate),
+                        Map.entry("mmrRate", mmrRate),
+                        Map.entry("fullMMRate", fullMMRate))
+                .filter(rate -> rate.getValue() > 0)
+                .map(rate -> rate.getKey() + "=" + rate.getValue())
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Source: docs/specification/networks.md, section 3.2. */
+    private ModuleLayout layout(int policyNeurons) {
+        if (multitaskModes > 1) {
+            return ModuleLayout.multitask(multitaskModes, policyNeurons);
+        }
+        return choosesModules()
+                ? ModuleLayout.withPreferenceNeurons(startingModes, policyNeurons)
+                : ModuleLayout.single(policyNeurons);
+    }
+
+    private MutationRates rates() {
+        return new MutationRates(
+                netLinkRate,
+                netSpliceRate,
+                perLinkMutateRate,
+                netPerturbRate,
+                new MutationRates.ModuleRates(mmpRate, mmrRate, mmdRate, fullMMRate),
+                new MutationRates.DeletionRates(deleteLinkRate, deleteModeRate),
+                new MutationRates.FreezingRates(freezePolicyRate, freezePreferenceRate, freezeAlternateRate));
+    }
+}

@@ -1,0 +1,212 @@
+package mmneat.experiment.parameters;
+
+import java.lang.reflect.RecordComponent;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
+import mmneat.mspacman.modules.ModuleDivision;
+import mmneat.mspacman.modules.ModuleDivisions;
+import mmneat.mspacman.sensors.Sensor;
+import mmneat.mspacman.sensors.SensorSettings;
+import mmneat.neat.network.ModuleArbitration;
+import pacman.controllers.NewGhostController;
+import pacman.controllers.examples.AggressiveGhosts;
+import pacman.controllers.examples.BetterLegacy;
+import pacman.controllers.examples.ChaseFleeGhosts;
+import pacman.controllers.examples.DeterministicLegacy;
+import pacman.controllers.examples.Legacy;
+import pacman.controllers.examples.Legacy2TheReckoning;
+import pacman.controllers.examples.RandomGhosts;
+import pacman.controllers.examples.StarterGhosts;
+import pacman.controllers.examples.VeryRandomLegacy;
+import pacman.game.GameRules;
+import pacman.game.GameSwitches;
+import pacman.game.GhostLocations;
+
+/** The parameters of the Ms. Pac-Man task; named as the parameters, see the catalogue. */
+record GameParameters(
+        int trials,
+        boolean deterministic,
+        String ghostTeam,
+        String pacmanInputOutputMediator,
+        String pacmanMultitaskScheme,
+        int multitaskModes,
+        int pacmanLives,
+        boolean pacManGainsLives,
+        int pacmanMaxLevel,
+        int pacManLevelTimeLimit,
+        boolean pacmanFatalTimeLimit,
+        int edibleTime,
+        int lairTime,
+        int numActiveGhosts,
+        int initialMaze,
+        int justMaze,
+        boolean allowRandomGhostReversals,
+        boolean infiniteEdibleTime,
+        int closeGhostDistance,
+        double preEatenPillPercentage,
+        double powerPillPunishmentRate,
+        boolean dieOnImproperPowerPillEating,
+        boolean getRemainingPills,
+        boolean exitLairEdible,
+        boolean endOnlyOnTimeLimit,
+        boolean simultaneousLairExit,
+        boolean endAfterGhostEatingChances,
+        boolean removePillsNearPowerPills,
+        boolean noPills,
+        boolean noPowerPills,
+        int junctionsToSense,
+        boolean incoming,
+        boolean trapped,
+        boolean eTimeVsGDis,
+        boolean specific,
+        boolean specificGhostEdibleThreatSplit,
+        int smallStepSimDepth,
+        boolean highLevel,
+        String ownSensors,
+        String jar,
+        boolean softmaxModeSelection,
+        double softmaxTemperature,
+        int disabledMode,
+        double preferenceNeuronFatigueUnit,
+        double preferenceNeuronDecay,
+        boolean weightedAverageModeAggregation) {
+
+    /** The one kind of sensors and outputs that is supported: networks are asked about each direction. */
+    private static final String MEDIATOR = "IICheckEachDirectionMediator";
+
+    private static final double CLOSE_TO_POWER_PILL = 10;
+
+    private static final Map<String, Supplier<NewGhostController>> TEAMS = Map.of(
+            "Legacy", Legacy::new,
+            "Legacy2TheReckoning", Legacy2TheReckoning::new,
+            "AggressiveGhosts", AggressiveGhosts::new,
+            "BetterLegacy", BetterLegacy::new,
+            "ChaseFleeGhosts", ChaseFleeGhosts::new,
+            "DeterministicLegacy", DeterministicLegacy::new,
+            "RandomGhosts", RandomGhosts::new,
+            "StarterGhosts", StarterGhosts::new,
+            "VeryRandomLegacy", VeryRandomLegacy::new);
+
+    /** The names of parameters that mean nothing to other tasks: of the game, and of how networks are asked in it. */
+    static List<String> ofTheGameAlone() {
+        Set<String> shared = Set.of("multitaskModes", "jar");
+        return Stream.concat(
+                        Stream.of(GameParameters.class.getRecordComponents()).map(RecordComponent::getName),
+                        Stream.of("imprisonedWhileEdible"))
+                .filter(name -> !shared.contains(name))
+                .toList();
+    }
+
+    /** @param locations where ghosts appear in the isolated version; null for the others */
+    MsPacManTaskSettings settings(TaskVersion version, GhostLocations locations) {
+        if (!pacmanInputOutputMediator.equals(MEDIATOR)) {
+            throw new UserError("pacmanInputOutputMediator=" + pacmanInputOutputMediator + ": must be " + MEDIATOR);
+        }
+        return new MsPacManTaskSettings(
+                version,
+                trials,
+                rules(version, locations),
+                sensors(version),
+                division(),
+                arbitration(),
+                TEAMS.get(ghostTeam),
+                deterministic);
+    }
+
+    private GameRules rules(TaskVersion version, GhostLocations locations) {
+        return new GameRules.Builder()
+                .lives(pacmanLives)
+                .extraLife(pacManGainsLives)
+                .maximumLevel(pacmanMaxLevel)
+                .levelTimeLimit(pacManLevelTimeLimit)
+                .fatalTimeLimit(pacmanFatalTimeLimit)
+                .edibleTime(edibleTime)
+                .lairTime(lairTime)
+                .activeGhosts(numActiveGhosts)
+                .initialMaze(initialMaze)
+                .onlyMaze(justMaze)
+                .randomGhostReversals(allowRandomGhostReversals)
+                .infiniteEdibleTime(infiniteEdibleTime)
+                .imprisonedWhileEdible(version != TaskVersion.BLENDED)
+                .closeGhostDistance(closeGhostDistance)
+                .preEatenPillPortion(preEatenPillPercentage)
+                .powerPillPunishmentRate(powerPillPunishmentRate)
+                .dieOnImproperPowerPillEating(dieOnImproperPowerPillEating)
+                .creditForRemainingPills(getRemainingPills)
+                .switches(new GameSwitches(
+                        exitLairEdible,
+                        endOnlyOnTimeLimit,
+                        false,
+                        false,
+                        simultaneousLairExit,
+                        false,
+                        false,
+                        endAfterGhostEatingChances,
+                        removePillsNearPowerPills,
+                        noPills,
+                        noPowerPills,
+                        false))
+                .ghostLocations(locations)
+                .build();
+    }
+
+    private SensorSettings sensors(TaskVersion version) {
+        return new SensorSettings(
+                junctionsToSense,
+                incoming,
+                trapped,
+                eTimeVsGDis,
+                version == TaskVersion.BLENDED,
+                specific,
+                specificGhostEdibleThreatSplit,
+                smallStepSimDepth,
+                !infiniteEdibleTime,
+                edibleTime,
+                CLOSE_TO_POWER_PILL,
+                highLevel,
+                sensorsOfOnesOwn());
+    }
+
+    private List<Sensor> sensorsOfOnesOwn() {
+        OwnClasses classes = new OwnClasses(jar);
+        return Stream.of(ownSensors.split(","))
+                .map(String::strip)
+                .filter(name -> !name.isEmpty())
+                .map(name -> classes.make("ownSensors", name, Sensor.class))
+                .toList();
+    }
+
+    private ModuleDivision division() {
+        if (multitaskModes < 2) {
+            return null;
+        }
+        ModuleDivision division = ModuleDivisions.named(pacmanMultitaskScheme);
+        if (division.modules() != multitaskModes) {
+            throw new UserError("multitaskModes=" + multitaskModes + ": " + pacmanMultitaskScheme + " chooses among "
+                    + division.modules() + " modules");
+        }
+        return division;
+    }
+
+    private ModuleArbitration arbitration() {
+        ModuleArbitration arbitration = ModuleArbitration.PREFERENCE.withDisabledModule(disabledMode);
+        if (softmaxModeSelection) {
+            if (softmaxTemperature == 0) {
+                throw new UserError("softmaxTemperature=0: must be positive with softmaxModeSelection=true");
+            }
+            arbitration = arbitration.withSoftmax(softmaxTemperature);
+        }
+        if (preferenceNeuronFatigueUnit != 0) {
+            arbitration = arbitration.withFatigue(preferenceNeuronFatigueUnit, preferenceNeuronDecay);
+        }
+        return weightedAverageModeAggregation
+                ? arbitration.withAnswer(ModuleArbitration.Answer.WEIGHTED_AVERAGE)
+                : arbitration;
+    }
+}

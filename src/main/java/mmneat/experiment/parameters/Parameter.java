@@ -1,0 +1,83 @@
+package mmneat.experiment.parameters;
+
+import mmneat.experiment.PlainText;
+import java.util.Locale;
+import mmneat.experiment.NearestName;
+import mmneat.experiment.UserError;
+
+/**
+ * One entry of the catalogue.
+ *
+ * @param name the name, for most the original's
+ * @param type kind of the value
+ * @param defaultValue the value if nobody gives one, in canonical form
+ * @param support what becomes of it here
+ * @param allowed the values that it may have
+ * @param group heading under which it is listed
+ * @param meaning one sentence without its full stop
+ */
+public record Parameter(
+        String name,
+        ParameterType type,
+        String defaultValue,
+        Support support,
+        AllowedValues allowed,
+        String group,
+        String meaning) {
+
+    /** The heading of the parameters that the original does not have. */
+    static final String EVERYDAY = "Everyday";
+
+    /** What becomes of a parameter. */
+    public enum Support {
+        /** It does what it says. */
+        YES,
+        /** Any value is accepted and none has an effect. */
+        IGNORED,
+        /** The original knows it, this program does not: only the default is accepted. */
+        NO;
+
+        static Support of(String name) {
+            return valueOf(name.toUpperCase(Locale.ROOT));
+        }
+    }
+
+    /**
+     * The value in canonical form.
+     *
+     * @throws UserError naming the parameter, the value and what is allowed
+     */
+    public String check(String text) {
+        PlainText.require(name, text);
+        String canonical;
+        try {
+            canonical = allowed.spelled(type.canonical(text));
+        } catch (IllegalArgumentException e) {
+            throw badValue(text);
+        }
+        if (support == Support.NO && !canonical.equals(defaultValue)) {
+            throw new UserError(name + "=" + text + ": the original's parameter '" + name
+                    + "' is not supported; leave it out"
+                    + (defaultValue.isEmpty() ? "" : ", which means " + defaultValue));
+        }
+        if (support == Support.YES && !canonical.equals(defaultValue) && !allowed.permits(type, canonical)) {
+            throw badValue(text);
+        }
+        return canonical;
+    }
+
+    /** The values that are allowed, in words. */
+    public String allowedInWords() {
+        return allowed.describe(type);
+    }
+
+    /** Whether the original has it too. */
+    public boolean isOfOriginal() {
+        return !group.equals(EVERYDAY);
+    }
+
+    private UserError badValue(String text) {
+        return new UserError(
+                name + "=" + text + ": must be " + allowedInWords() + NearestName.suggestion(text, allowed.choices()));
+    }
+}

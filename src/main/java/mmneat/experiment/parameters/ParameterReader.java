@@ -1,0 +1,237 @@
+package mmneat.experiment.parameters;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import mmneat.experiment.FileTrouble;
+import mmneat.experiment.UserError;
+
+/**
+ * Reads what somebody asks for: built-in defaults, over them what the paper sets for the task and method, over them the
+ * parameter file ({@code config=FILE}), over them the command line.
+ */
+public final class ParameterReader {
+
+    /** The original's saved files: a name, a colon and, without any escapes, the value. */
+    private static final Pattern ORIGINAL_LINE = Pattern.compile("\\w+:[^=]*");
+
+    private static final List<String> WHICH_RUNS = List.of("runs", "run", "runNumber", "randomSeed");
+
+    private final ParameterCatalogue catalogue;
+
+    public ParameterReader(ParameterCatalogue catalogue) {
+        this.catalogue = catalogue;
+    }
+
+    /**
+     * What the words of a command line ask for.
+     *
+     * @param words each {@code name=value} or {@code name:value}
+     * @throws UserError for anything that is not understood
+     */
+    public Result read(List<String> words) {
+        List<String> remarks = new ArrayList<>();
+        Map<String, String> commandLine = commandLine(words, remarks);
+        Map<String, String> file = commandLine.containsKey("config") ? file(commandLine.get("config")) : Map.of();
+        Map<String, String> asked = new LinkedHashMap<>(file);
+        if (WHICH_RUNS.stream().anyMatch(commandLine::containsKey)) {
+            // The file may be of one run (parameters.properties); whoever asks for others means what it says besides.
+            asked.keySet().removeAll(WHICH_RUNS);
+        }
+        asked.putAll(commandLine);
+        Parameters preset =
+                Parameters.defaults(catalogue).with(preset(asked.getOrDefault("task", ""), asked.get("method")));
+        requireNoContradiction(commandLine, Parameters.defaults(catalogue).with(file), preset);
+        Parameters parameters = preset.with(asked);
+        TaskKind kind = TaskKind.of(parameters);
+        if (kind != TaskKind.OWN && !parameters.ofOwnTask().isEmpty()) {
+            throw new UserError("unknown parameter '" + OwnTask.PREFIX
+                    + parameters.ofOwnTask().keySet().iterator().next() + "': names with '" + OwnTask.PREFIX
+                    + "' are for a task of your own");
+        }
+        if (kind != TaskKind.ISOLATED && !parameters.text(Tasks.GHOST_LOCATIONS).isEmpty()) {
+            remarks.add(Tasks.GHOST_LOCATIONS + " has no effect: only the isolated task has recorded ghost locations");
+        }
+        if (kind == TaskKind.OWN) {
+            remarkOnGame(commandLine, parameters, remarks);
+        }
+        parameters.as(EvolutionParameters.class).requireConsistent();
+        return new Result(parameters, List.copyOf(remarks));
+    }
+
+    private Map<String, String> commandLine(List<String> words, List<String> remarks) {
+        Map<String, String> layer = new LinkedHashMap<>();
+        for (String text : words) {
+            ParameterWord word = ParameterWord.parse(text);
+            String value = word.value();
+            if (!word.name().startsWith(OwnTask.PREFIX)) {
+                Parameter parameter = catalogue.require(word.name());
+                value = word.canonicalFor(parameter);
+                if (word.isMisleading(parameter)) {
+                    remarks.add("'" + text + "' means " + word.name()
+                            + "=false: in the form with a colon, as in the original, anything but true is false");
+                }
+            }
+            if (layer.containsKey(word.name()) && !layer.get(word.name()).equals(value)) {
+                throw new UserError(
+                        "'" + word.name() + "' is given twice, as " + layer.get(word.name()) + " and as " + value);
+            }
+            layer.put(word.name(), value);
+        }
+        return layer;
+    }
+
+    /** A file may hold defaults that nobody asked for, as that of every run does; on the command line each word is meant. */
+    private static void remarkOnGame(Map<String, String> commandLine, Parameters parameters, List<String> remarks) {
+        List<String> idle = GameParameters.ofTheGameAlone().stream()
+                .filter(name -> commandLine.containsKey(name)
+                        || !parameters
+                                .text(name)
+                                .equals(parameters.catalogue().require(name).defaultValue()))
+                .toList();
+        if (!idle.isEmpty()) {
+            remarks.add("no effect on task=" + parameters.text("task") + ": " + String.join(", ", idle)
+                    + " (for Ms. Pac-Man alone; parameters of a task of your own are called " + OwnTask.PREFIX
+                    + "NAME)");
+        }
+    }
+
+    /** A parameter file: Java properties, or one that the original saved. */
+    private Map<String, String> file(String name) {
+        Map<String, String> layer;
+        try {
+            String text = text(Files.readAllBytes(Path.of(name)));
+            List<String> lines = text.lines().filter(line -> !line.isBlank()).toList();
+            layer = !lines.isEmpty()
+                            && lines.stream()
+                                    .allMatch(
+                                            line -> ORIGINAL_LINE.matcher(line).matches())
+                    ? savedByOriginal(lines)
+                    : PropertiesFile.read(new StringReader(text));
+            Parameters.defaults(catalogue).with(layer);
+        } catch (IOException e) {
+            throw new UserError("config=" + name + ": cannot be read: " + FileTrouble.reason(e), e);
+        } catch (UserError e) {
+            throw new UserError(name + ": " + e.getMessage(), e);
+        }
+        layer.computeIfPresent(Tasks.GHOST_LOCATIONS, (unused, value) -> besideFile(name, value));
+        if (layer.containsKey("config")) {
+            throw new UserError(name + ": config= is for the command line only");
+        }
+        return layer;
+    }
+
+    /** What a file says, in UTF-8, with or without the mark that some editors put first. */
+    private static String text(byte[] bytes) {
+        ByteBuffer read = ByteBuffer.wrap(bytes);
+        CharBuffer text = CharBuffer.allocate(bytes.length);
+        if (StandardCharsets.UTF_8.newDecoder().decode(read, text, true).isError()) {
+            long line = 1
+                    + IntStream.range(0, read.position())
+                            .filter(i -> bytes[i] == '\n')
+                            .count();
+            throw new UserError("line " + line + " is not UTF-8; save the file in UTF-8");
+        }
+        return text.flip().toString().replaceFirst("^\uFEFF", "");
+    }
+
+    /** A file that is meant to stand beside the parameter file, as in a run's folder; otherwise the name as it is. */
+    private static String besideFile(String parameterFile, String name) {
+        Path beside = Path.of(parameterFile).resolveSibling(name);
+        return !name.isEmpty() && Files.isRegularFile(beside) ? beside.toString() : name;
+    }
+
+    private Map<String, String> savedByOriginal(List<String> lines) {
+        Map<String, String> layer = new LinkedHashMap<>();
+        for (String line : lines) {
+            int colon = line.indexOf(':');
+            String name = line.substring(0, colon);
+            String value = line.substring(colon + 1);
+            boolean isFlag = catalogue
+                    .find(name)
+                    .filter(parameter -> parameter.type() == ParameterType.BOOLEAN)
+                    .isPresent();
+            layer.put(name, isFlag ? Boolean.toString(value.equalsIgnoreCase("true")) : value);
+        }
+        return layer;
+    }
+
+    private Map<String, String> preset(String task, String method) {
+        boolean published = PublishedConfigurations.tasks().contains(task);
+        if (method == null) {
+            return published
+                    ? PublishedConfigurations.settings(
+                            task, catalogue.require("method").defaultValue())
+                    : Map.of();
+        }
+        String checked = catalogue.require("method").check(method);
+        return published
+                ? PublishedConfigurations.settings(task, checked)
+                : PublishedConfigurations.methodAlone(checked);
+    }
+
+    /**
+     * Makes sure that a task or method of the command line is what its name says: the file goes before what the paper sets, and
+     * could make another of it, under the same name. A file that names the same task and method may say what it likes.
+     */
+    private static void requireNoContradiction(Map<String, String> commandLine, Parameters file, Parameters preset) {
+        boolean otherMethod = isOther("method", commandLine, file);
+        boolean otherTask = isOther("task", commandLine, file)
+                && PublishedConfigurations.tasks().contains(commandLine.get("task"));
+        String config = " in config=" + commandLine.get("config");
+        if (otherMethod || otherTask && !file.isGiven("method")) {
+            contradiction(PublishedConfigurations.NAMES_OF_METHODS, commandLine, file, preset)
+                    .ifPresent(name -> {
+                        throw new UserError(name + "=" + file.text(name) + config + " contradicts "
+                                + (otherMethod
+                                        ? "method=" + commandLine.get("method")
+                                        : "task=" + commandLine.get("task") + " without a method")
+                                + ", which means " + name + "=" + preset.text(name)
+                                + (otherMethod
+                                        ? ": leave out method= (saveTo=NAME names the runs), or give " + name
+                                                + "= on the command line, too"
+                                        : ": give the file's method with method=NAME"));
+                    });
+        }
+        if (otherTask) {
+            contradiction(PublishedConfigurations.NAMES_OF_TASKS, commandLine, file, preset)
+                    .ifPresent(name -> {
+                        throw new UserError(name + "=" + file.text(name) + config + " contradicts task="
+                                + commandLine.get("task") + ", which means " + name + "=" + preset.text(name)
+                                + ": give a file of this task");
+                    });
+        }
+    }
+
+    private static boolean isOther(String name, Map<String, String> commandLine, Parameters file) {
+        return commandLine.containsKey(name)
+                && !(file.isGiven(name) && file.text(name).equals(commandLine.get(name)));
+    }
+
+    private static Optional<String> contradiction(
+            List<String> names, Map<String, String> commandLine, Parameters file, Parameters preset) {
+        return names.stream()
+                .filter(name -> file.isGiven(name) && !commandLine.containsKey(name))
+                .filter(name -> !file.text(name).equals(preset.text(name)))
+                .findFirst();
+    }
+
+    /**
+     * What was asked for.
+     *
+     * @param parameters all values
+     * @param remarks lines for the user about values that were understood otherwise than they look
+     */
+    public record Result(Parameters parameters, List<String> remarks) {}
+}

@@ -1,0 +1,69 @@
+package mmneat.experiment.parameters;
+
+import java.util.Locale;
+
+/** The kinds of values that parameters have. */
+public enum ParameterType {
+    INTEGER("a whole number"),
+    LONG("a whole number"),
+    BOOLEAN("true or false"),
+    DOUBLE("a number"),
+    TEXT("any text"),
+    CLASS("the name of a class");
+
+    private final String description;
+
+    ParameterType(String description) {
+        this.description = description;
+    }
+
+    /** What a value of this type is, to stand behind "must be". */
+    String description() {
+        return description;
+    }
+
+    /**
+     * The value in the one form in which equal values are equal texts.
+     *
+     * @throws IllegalArgumentException if the text is no value of this type
+     */
+    String canonical(String text) {
+        return switch (this) {
+            case INTEGER -> Integer.toString(Integer.parseInt(text));
+            case LONG -> Long.toString(Long.parseLong(text));
+            case BOOLEAN -> canonicalBoolean(text);
+            case DOUBLE -> Double.toString(Double.parseDouble(text.strip()));
+            case TEXT -> text;
+            case CLASS -> canonicalClass(text);
+        };
+    }
+
+    private static String canonicalBoolean(String text) {
+        String lower = text.strip().toLowerCase(Locale.ROOT);
+        if (!lower.equals("true") && !lower.equals("false")) {
+            throw new IllegalArgumentException("neither true nor false: " + text);
+        }
+        return lower;
+    }
+
+    /** Classes of the original, whichever of its packages they name, are known by their simple names. */
+    private static String canonicalClass(String text) {
+        String name = text.strip();
+        boolean ofOriginal = name.startsWith("edu.southwestern.")
+                || name.startsWith("edu.utexas.cs.nn.")
+                || name.startsWith("pacman.controllers.");
+        if (name.equals("null")) {
+            return "";
+        }
+        return ofOriginal ? name.substring(name.lastIndexOf('.') + 1) : name;
+    }
+
+    static ParameterType of(String name) {
+        return valueOf(name.toUpperCase(Locale.ROOT));
+    }
+
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,124 @@
+package mmneat.experiment.parameters;
+
+import mmneat.experiment.PlainText;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+
+/**
+ * A value for every parameter, all of them checked: the defaults, and over them what the layers gave.
+ *
+ * <p>Immutable. Made by {@link ParameterReader}; whoever needs more than a few values binds them to a record whose
+ * components have the parameters' names ({@link #as}).
+ */
+public final class Parameters {
+
+    private final ParameterCatalogue catalogue;
+    private final Map<String, String> values;
+    private final Set<String> given;
+    private final Map<String, String> ofOwnTask;
+
+    private Parameters(
+            ParameterCatalogue catalogue,
+            Map<String, String> values,
+            Set<String> given,
+            Map<String, String> ofOwnTask) {
+        this.catalogue = catalogue;
+        this.values = values;
+        this.given = given;
+        this.ofOwnTask = ofOwnTask;
+    }
+
+    /** The defaults alone. */
+    static Parameters defaults(ParameterCatalogue catalogue) {
+        Map<String, String> values = new LinkedHashMap<>();
+        for (Parameter parameter : catalogue.all()) {
+            values.put(parameter.name(), parameter.defaultValue());
+        }
+        return new Parameters(catalogue, values, Set.of(), Map.of());
+    }
+
+    /** These with a layer over them; the texts are checked. */
+    public Parameters with(Map<String, String> layer) {
+        Map<String, String> newValues = new LinkedHashMap<>(values);
+        Set<String> newGiven = new HashSet<>(given);
+        Map<String, String> newOfOwnTask = new TreeMap<>(ofOwnTask);
+        layer.forEach((name, text) -> {
+            if (name.startsWith(OwnTask.PREFIX)) {
+                PlainText.require("the name of a parameter", name);
+                PlainText.require(name, text);
+                newOfOwnTask.put(name.substring(OwnTask.PREFIX.length()), text);
+            } else {
+                newValues.put(name, catalogue.require(name).check(text));
+                newGiven.add(name);
+            }
+        });
+        return new Parameters(catalogue, newValues, newGiven, newOfOwnTask);
+    }
+
+    /** These with one other value. */
+    public Parameters with(String name, Object value) {
+        return with(Map.of(name, String.valueOf(value)));
+    }
+
+    /** Whether any layer over the defaults says something of it, be it the default. */
+    public boolean isGiven(String name) {
+        catalogue.require(name);
+        return given.contains(name);
+    }
+
+    /** The value as text, in canonical form. */
+    public String text(String name) {
+        catalogue.require(name);
+        return values.get(name);
+    }
+
+    /** The value of a parameter that is a whole number. */
+    public int integer(String name) {
+        return Integer.parseInt(text(name));
+    }
+
+    /** The value of a parameter that is a number. */
+    public double number(String name) {
+        return Double.parseDouble(text(name));
+    }
+
+    /** The value of a parameter that is true or false. */
+    public boolean flag(String name) {
+        return Boolean.parseBoolean(text(name));
+    }
+
+    /** The values as a record; its components are called as the parameters. */
+    public <T> T as(Class<T> record) {
+        JavaPropsMapper mapper = JavaPropsMapper.builder()
+                .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+                .build();
+        try {
+            return mapper.readMapAs(values, record);
+        } catch (IOException e) {
+            throw new UncheckedIOException("the parameters do not fit " + record, e);
+        }
+    }
+
+    /** What is meant for a task of the user's own, without the prefix {@code task.}. */
+    public Map<String, String> ofOwnTask() {
+        return Collections.unmodifiableMap(ofOwnTask);
+    }
+
+    /** The catalogue that these are values of. */
+    public ParameterCatalogue catalogue() {
+        return catalogue;
+    }
+
+    /** All values, in the catalogue's order. */
+    Map<String, String> values() {
+        return Collections.unmodifiableMap(values);
+    }
+}

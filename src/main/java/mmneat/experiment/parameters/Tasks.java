@@ -1,0 +1,65 @@
+package mmneat.experiment.parameters;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Supplier;
+import mmneat.evolution.Task;
+import mmneat.experiment.FileTrouble;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
+import pacman.game.GhostLocations;
+
+/** Makes the tasks that parameters describe. */
+public final class Tasks {
+
+    /** The parameter that names a file of ghost locations; empty: those that come with the program. */
+    public static final String GHOST_LOCATIONS = "mazePowerPillGhostMapping";
+
+    private Tasks() {}
+
+    /**
+     * Makes tasks, each for one thread.
+     *
+     * @throws UserError if the parameters describe none
+     */
+    public static Supplier<Task> factory(Parameters parameters) {
+        return switch (TaskKind.of(parameters)) {
+            case BLENDED -> game(parameters, TaskVersion.BLENDED);
+            case INTERLEAVED -> game(parameters, TaskVersion.INTERLEAVED);
+            case ISOLATED -> game(parameters, TaskVersion.ISOLATED);
+            case OWN -> OwnTask.factory(parameters.text("task"), parameters.text("jar"), parameters.ofOwnTask());
+        };
+    }
+
+    private static Supplier<Task> game(Parameters parameters, TaskVersion version) {
+        MsPacManTaskSettings settings = gameSettings(parameters, version);
+        return () -> new MsPacManTask(settings);
+    }
+
+    private static MsPacManTaskSettings gameSettings(Parameters parameters, TaskVersion version) {
+        GhostLocations locations = version == TaskVersion.ISOLATED ? locations(parameters.text(GHOST_LOCATIONS)) : null;
+        try {
+            return parameters.as(GameParameters.class).settings(version, locations);
+        } catch (IllegalArgumentException e) {
+            throw new UserError(e.getMessage(), e);
+        }
+    }
+
+    private static GhostLocations locations(String file) {
+        if (file.isEmpty()) {
+            return GhostLocations.shipped();
+        }
+        Path path = Path.of(file);
+        try (Reader reader = Files.newBufferedReader(path)) {
+            return GhostLocations.read(file, reader);
+        } catch (IOException e) {
+            throw new UserError(GHOST_LOCATIONS + "=" + file + ": cannot be read: " + FileTrouble.reason(e), e);
+        } catch (IllegalArgumentException e) {
+            throw new UserError(GHOST_LOCATIONS + "=" + e.getMessage(), e);
+        }
+    }
+}

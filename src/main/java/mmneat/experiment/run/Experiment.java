@@ -1,0 +1,187 @@
+package mmneat.experiment.run;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import mmneat.evolution.DaemonThreads;
+import mmneat.evolution.Task;
+import mmneat.experiment.FileTrouble;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.EvolutionParameters;
+import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.parameters.Tasks;
+import mmneat.experiment.store.DurableFiles;
+import mmneat.experiment.store.GhostLocationsCopy;
+import mmneat.experiment.store.RunLock;
+import mmneat.experiment.store.RunParametersFile;
+import mmneat.experiment.store.RunStatus;
+
+/**
+ * Does the runs of a plan: side by side, each by itself and exact. A run that is finished is skipped, one that was begun is
+ * continued; the result of a run does not depend on the others.
+ */
+public final class Experiment {
+
+    private final ExperimentPlan plan;
+    private final List<RunMonitor> monitors;
+    /** What makes the tasks of each run, in the plan's order. */
+    private final List<Supplier<Task>> tasks;
+
+    private final CommitGate gate = new CommitGate();
+    private final Set<RunLock> heldLocks = ConcurrentHashMap.newKeySet();
+
+    /**
+     * An experiment that has not begun.
+     *
+     * @throws UserError if the task cannot be made, or a run was begun with other parameters or has gone farther
+     */
+    public Experiment(ExperimentPlan plan) {
+        this.plan = plan;
+        tasks = tasks(plan);
+        monitors = plan.runs().stream()
+                .map(run -> new RunMonitor(run, System::nanoTime))
+                .toList();
+        plan.runs()
+                .get(0)
+                .parameters()
+                .as(EvolutionParameters.class)
+                .settings(tasks.get(0).get());
+        for (RunPlan run : plan.runs()) {
+            requireContinuable(run);
+        }
+    }
+
+    /**
+     * Makes sure that the plan can be carried out, as far as that can be told before it is: nobody wants to learn from thirty jobs
+     * of a cluster that a file is missing.
+     *
+     * @throws UserError if not
+     */
+    static void requirePossible(ExperimentPlan plan) {
+        new Experiment(plan);
+    }
+
+    private void requireFolder() {
+        Path base = plan.base();
+        try {
+            DurableFiles.makeFolder(base);
+        } catch (IOException e) {
+            throw new UserError(base + ": cannot be made: " + FileTrouble.sentence(e), e);
+        }
+        boolean isNew = plan.runs().stream().anyMatch(run -> !Files.exists(run.directory()));
+        if (isNew && !Files.isWritable(base)) {
+            throw new UserError(base + ": permission denied; choose another folder with base=FOLDER");
+        }
+    }
+
+    private static void requireContinuable(RunPlan run) {
+        RunParametersFile file = new RunParametersFile(run.directory());
+        try {
+            if (file.exists()) {
+                file.requireSame(run.parameters());
+            }
+            GhostLocationsCopy.requireSame(run.directory(), run.parameters());
+            Optional<RunStatus> status = RunStatus.read(run.directory());
+            if (status.isPresent() && !status.get().isFinished(run.generations())) {
+                run.requireAtLeast(status.get().generation());
+            }
+        } catch (IOException e) {
+            throw new UserError(run.directory() + ": cannot be read: " + FileTrouble.reason(e), e);
+        }
+    }
+
+    private static List<Supplier<Task>> tasks(ExperimentPlan plan) {
+        if (TaskKind.of(plan.parameters()) == TaskKind.ISOLATED) {
+            return plan.runs().stream()
+                    .map(run -> Tasks.factory(GhostLocationsCopy.parameters(run.directory(), run.parameters())))
+                    .toList();
+        }
+        return Collections.nCopies(plan.runs().size(), Tasks.factory(plan.parameters()));
+    }
+
+    /** How each run goes, in the plan's order. */
+    public List<RunMonitor> monitors() {
+        return monitors;
+    }
+
+    /**
+     * Does all runs.
+     *
+     * @return how each ended, in the plan's order
+     * @throws UserError if nothing can be written where the runs go
+     * @throws InterruptedException if the calling thread is interrupted; the runs are then stopped
+     */
+    public List<RunOutcome> run() throws InterruptedException {
+        requireFolder();
+        if (plan.runs().size() > 1) {
+            recordAsked();
+        }
+        int threads = threads();
+        boolean splitsRuns = plan.parameters().flag("parallelEvaluations");
+        ExecutorService workers = Executors.newFixedThreadPool(
+                splitsRuns ? 1 : Math.min(threads, plan.runs().size()), DaemonThreads.named("run"));
+        try {
+            List<Future<RunOutcome>> pending = new ArrayList<>();
+            for (int i = 0; i < monitors.size(); i++) {
+                RunMonitor monitor = monitors.get(i);
+                RunWorker worker = new RunWorker(monitor.run(), tasks.get(i), threads, monitor, gate, heldLocks);
+                pending.add(workers.submit(worker::work));
+            }
+            List<RunOutcome> outcomes = new ArrayList<>();
+            for (Future<RunOutcome> future : pending) {
+                outcomes.add(future.get());
+            }
+            return outcomes;
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("a run's outcome was lost", e.getCause());
+        } finally {
+            workers.shutdownNow();
+            // Whoever interrupts may do as he likes with the folders afterwards; a second interruption does not wait.
+            workers.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
+        }
+    }
+
+    private void recordAsked() {
+        try {
+            ExperimentView.recordAsked(plan);
+        } catch (IOException e) {
+            throw new UserError(plan.base() + ": cannot be written to: " + FileTrouble.reason(e), e);
+        }
+    }
+
+    /** Threads that are asked for; by default one for each core. */
+    private int threads() {
+        int asked = plan.parameters().integer("threads");
+        return asked == 0 ? Runtime.getRuntime().availableProcessors() : asked;
+    }
+
+    /**
+     * Ends the writing of all runs, so that the program can end: what is being written is finished, nothing is begun, and the
+     * locks are given back. To be called when the process is told to end; the runs do not go on.
+     *
+     * @param patience how long to wait for what is being written
+     * @return whether all that was being written is finished; if not, the last complete state is on the disk all the same
+     */
+    public boolean halt(Duration patience) throws InterruptedException, IOException {
+        if (!gate.close(patience)) {
+            return false;
+        }
+        for (RunLock lock : heldLocks) {
+            lock.close();
+        }
+        return true;
+    }
+}

@@ -1,0 +1,169 @@
+package mmneat.experiment.run;
+
+import com.fasterxml.jackson.core.JacksonException;
+import com.fasterxml.jackson.core.type.TypeReference;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
+import java.nio.file.FileVisitOption;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import mmneat.experiment.UserError;
+import mmneat.experiment.store.DurableFiles;
+import mmneat.experiment.store.GenerationTable;
+import mmneat.experiment.store.RunView;
+
+/**
+ * An experiment as its files show it: its runs, those included that were asked for and have not begun.
+ *
+ * @param name name of the experiment, for instance {@code blended-2M}
+ * @param base its folder
+ * @param runs by ascending number
+ */
+public record ExperimentView(String name, Path base, List<RunView> runs) {
+
+    /** How deep below the folder that is looked at the folders of runs may lie. */
+    private static final int DEPTH = 5;
+
+    private static final String ASKED = ".runs.json";
+
+    public ExperimentView {
+        runs = List.copyOf(runs);
+    }
+
+    /** Runs in a state. */
+    public long count(RunView.State state) {
+        return runs.stream().filter(run -> run.state() == state).count();
+    }
+
+    /** Whether every run is finished. */
+    public boolean isFinished() {
+        return count(RunView.State.FINISHED) == runs.size();
+    }
+
+    /** All experiments in a folder or below it, by path and name. */
+    public static List<ExperimentView> readAll(Path folder, Instant now) throws IOException {
+        Map<String, Map<Integer, RunView>> byExperiment = new TreeMap<>();
+        Map<String, Path> bases = new TreeMap<>();
+        Map<String, String> names = new TreeMap<>();
+        for (Path path : filesBelow(folder)) {
+            List<RunView> found = Files.isDirectory(path)
+                    ? RunView.isRun(path) ? List.of(RunView.read(path, now)) : List.of()
+                    : asked(path);
+            for (RunView run : found) {
+                Path base = run.directory().toAbsolutePath().normalize().getParent();
+                String key = base + "/" + run.experiment();
+                bases.put(key, base);
+                names.put(key, run.experiment());
+                // What a run's own folder says counts more than that it was asked for.
+                byExperiment
+                        .computeIfAbsent(key, unused -> new TreeMap<>())
+                        .merge(run.number(), run, ExperimentView::betterKnown);
+            }
+        }
+        List<ExperimentView> experiments = new ArrayList<>();
+        byExperiment.forEach((key, runs) ->
+                experiments.add(new ExperimentView(names.get(key), bases.get(key), List.copyOf(runs.values()))));
+        return experiments;
+    }
+
+    /** The folder and what lies below it, symbolic links followed; what cannot be looked into is left out. */
+    private static List<Path> filesBelow(Path folder) throws IOException {
+        List<Path> found = new ArrayList<>();
+        Files.walkFileTree(folder, Set.of(FileVisitOption.FOLLOW_LINKS), DEPTH, new SimpleFileVisitor<>() {
+            @Override
+            public FileVisitResult preVisitDirectory(Path directory, BasicFileAttributes attributes) {
+                found.add(directory);
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+                found.add(file);
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult visitFileFailed(Path file, IOException failure) {
+                return FileVisitResult.CONTINUE;
+            }
+        });
+        Collections.sort(found);
+        return found;
+    }
+
+    private static RunView betterKnown(RunView first, RunView second) {
+        return first.state() == RunView.State.WAITING ? second : first;
+    }
+
+    /** Median of the champions' scores; NaN if there is none. */
+    public double medianChampion() {
+        double[] scores = runs.stream()
+                .filter(run -> run.status() != null)
+                .mapToDouble(run -> run.status().best())
+                .filter(score -> !Double.isNaN(score))
+                .sorted()
+                .toArray();
+        return scores.length == 0 ? Double.NaN : GenerationTable.median(scores);
+    }
+
+    /** The run with the best champion so far, if there is one. */
+    public Optional<RunView> best() {
+        return runs.stream()
+                .filter(run ->
+                        run.status() != null && !Double.isNaN(run.status().best()))
+                .max(Comparator.comparingDouble(run -> run.status().best()));
+    }
+
+    /**
+     * Remembers in the experiment's folder which runs were asked for, so that those that have not begun are seen as waiting.
+     */
+    public static void recordAsked(ExperimentPlan plan) throws IOException {
+        Path file = plan.base().resolve(plan.name() + ASKED);
+        SortedSet<Integer> numbers = new TreeSet<>();
+        for (RunView run : asked(file)) {
+            numbers.add(run.number());
+        }
+        plan.runs().forEach(run -> numbers.add(run.number()));
+        String saveTo = plan.parameters().text("saveTo");
+        Map<String, Object> content = new LinkedHashMap<>();
+        content.put("saveTo", saveTo);
+        content.put("runs", numbers);
+        DurableFiles.write(file, JsonMapper.builder().build().writeValueAsBytes(content));
+    }
+
+    private static List<RunView> asked(Path file) throws IOException {
+        String fileName = file.getFileName().toString();
+        if (!fileName.endsWith(ASKED) || !Files.exists(file)) {
+            return List.of();
+        }
+        String name = fileName.substring(0, fileName.length() - ASKED.length());
+        Map<String, Object> content;
+        try {
+            content = JsonMapper.builder().build().readValue(file.toFile(), new TypeReference<>() {});
+        } catch (JacksonException e) {
+            throw new UserError(
+                    file + ": is damaged; remove it, it only says which runs were asked for and is made again", e);
+        }
+        List<RunView> waiting = new ArrayList<>();
+        for (Object number : (List<?>) content.getOrDefault("runs", List.of())) {
+            int run = ((Number) number).intValue();
+            waiting.add(RunView.waiting(file.resolveSibling(content.get("saveTo") + "" + run), name, run));
+        }
+        return waiting;
+    }
+}

@@ -1,0 +1,234 @@
+package mmneat.experiment.run;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.channels.ClosedByInterruptException;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
+import mmneat.evolution.BadEvaluationException;
+import mmneat.evolution.Evaluator;
+import mmneat.evolution.Evolution;
+import mmneat.evolution.EvolutionSettings;
+import mmneat.evolution.EvolutionState;
+import mmneat.evolution.ParallelEvaluator;
+import mmneat.evolution.SequentialEvaluator;
+import mmneat.evolution.Task;
+import mmneat.experiment.FileTrouble;
+import mmneat.experiment.UserError;
+import mmneat.experiment.original.RunFiles;
+import mmneat.experiment.parameters.EvolutionParameters;
+import mmneat.experiment.parameters.Parameters;
+import mmneat.experiment.store.Checkpoint;
+import mmneat.experiment.store.CheckpointFile;
+import mmneat.experiment.store.DurableFiles;
+import mmneat.experiment.store.GhostLocationsCopy;
+import mmneat.experiment.store.RunFolder;
+import mmneat.experiment.store.RunLock;
+import mmneat.experiment.store.RunParametersFile;
+import mmneat.experiment.store.RunStatus;
+
+/** Does one run, from its beginning or from its checkpoint to its end, on the calling thread. */
+final class RunWorker {
+
+    private final RunPlan run;
+    private final Supplier<Task> tasks;
+    private final int evaluationThreads;
+    private final RunMonitor monitor;
+    private final CommitGate gate;
+    private final Set<RunLock> heldLocks;
+
+    /**
+     * @param tasks makes tasks, each for one thread
+     * @param evaluationThreads threads for {@code parallelEvaluations}
+     * @param heldLocks where the run's lock is listed while it is held; safe for many threads
+     */
+    RunWorker(
+            RunPlan run,
+            Supplier<Task> tasks,
+            int evaluationThreads,
+            RunMonitor monitor,
+            CommitGate gate,
+            Set<RunLock> heldLocks) {
+        this.run = run;
+        this.tasks = tasks;
+        this.evaluationThreads = evaluationThreads;
+        this.monitor = monitor;
+        this.gate = gate;
+        this.heldLocks = heldLocks;
+    }
+
+    /** Does the run; whatever goes wrong is in the outcome. */
+    RunOutcome work() {
+        RunOutcome outcome = outcome();
+        monitor.ended(outcome.phase());
+        return outcome;
+    }
+
+    private RunOutcome outcome() {
+        try {
+            Optional<RunStatus> status = RunStatus.read(run.directory());
+            if (status.isPresent() && status.get().isFinished(run.generations())) {
+                return new RunOutcome(run, RunMonitor.Phase.ALREADY_FINISHED, status.get(), null, null);
+            }
+            return evolveLocked();
+        } catch (Exception | Error e) {
+            return endedBy(e);
+        }
+    }
+
+    private RunOutcome evolveLocked() throws Exception {
+        gate.pass(() -> DurableFiles.makeFolder(run.directory()));
+        RunLock lock = RunLock.acquire(run.directory(), RunLock.Timing.USUAL);
+        try {
+            // Listed, it is given back by whoever ends the program; that must not have happened before.
+            gate.pass(() -> heldLocks.add(lock));
+            return evolveOrFail(lock);
+        } finally {
+            heldLocks.remove(lock);
+            lock.close();
+        }
+    }
+
+    /** Evolves; what others are to know of a failure is written as long as the folder is ours. */
+    private RunOutcome evolveOrFail(RunLock lock) {
+        try {
+            return evolve(lock);
+        } catch (Exception | Error e) {
+            RunOutcome outcome = endedBy(e);
+            return outcome.phase() == RunMonitor.Phase.FAILED ? recorded(outcome, lock) : outcome;
+        }
+    }
+
+    /** What becomes of a run that an exception ended. */
+    private RunOutcome endedBy(Throwable e) {
+        if (e instanceof RunRecorder.RunStoppedException || e instanceof UncheckedIOException) {
+            return endedBy(e.getCause());
+        }
+        if (e instanceof RunLock.HeldException) {
+            return new RunOutcome(run, RunMonitor.Phase.IN_USE, null, e.getMessage(), null);
+        }
+        if (isInterruption(e)) {
+            return new RunOutcome(run, RunMonitor.Phase.STOPPED, null, "stopped", null);
+        }
+        if (e instanceof UserError) {
+            return failed(e.getMessage(), null);
+        }
+        if (e instanceof BadEvaluationException) {
+            return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), null);
+        }
+        return e instanceof IOException file ? failed(fileMessage(file), null) : failed(e.toString(), e);
+    }
+
+    /** Whether somebody told the run to end; if that was in the midst of writing, the file's channel says so. */
+    private static boolean isInterruption(Throwable e) {
+        return e instanceof CancellationException
+                || e instanceof InterruptedException
+                || e instanceof ClosedByInterruptException;
+    }
+
+    private RunOutcome evolve(RunLock lock) throws IOException {
+        RunParametersFile parametersFile = new RunParametersFile(run.directory());
+        if (parametersFile.exists()) {
+            parametersFile.requireSame(run.parameters());
+        }
+        Task task = tasks.get();
+        EvolutionSettings settings =
+                run.parameters().as(EvolutionParameters.class).settings(task);
+        RunFolder folder = new RunFolder(run.directory(), run.prefix());
+        RunFiles files = new RunFiles(folder, task, files(settings));
+        CheckpointFile checkpoint = new CheckpointFile(run.directory());
+
+        GhostLocationsCopy.requireSame(run.directory(), run.parameters());
+        GhostLocationsCopy.keep(run.directory(), run.parameters());
+        EvolutionState state = begin(settings, folder, files, checkpoint);
+        parametersFile.write(run.parameters());
+        RunStatus status = new RunStatus(
+                RunStatus.State.RUNNING, state.generation(), run.generations(), Double.NaN, Double.NaN, 0, 0, null);
+        status.write(run.directory());
+        RunRecorder recorder = new RunRecorder(task, folder, files, checkpoint, lock, gate, monitor, status);
+        monitor.started(state.generation());
+        evolve(settings, state, task, recorder);
+        return new RunOutcome(run, RunMonitor.Phase.FINISHED, recorder.status(), null, null);
+    }
+
+    private EvolutionState begin(
+            EvolutionSettings settings, RunFolder folder, RunFiles files, CheckpointFile checkpoint)
+            throws IOException {
+        Optional<Checkpoint> saved = checkpoint.load();
+        if (saved.isEmpty()) {
+            EvolutionState initial = EvolutionState.initial(settings);
+            files.begin(initial);
+            return initial;
+        }
+        Checkpoint last = saved.get();
+        run.requireAtLeast(last.evolution().generation());
+        folder.cutTo(last.logs());
+        files.writeNewestNetworks(last.evolution());
+        if (!last.wasForced()) {
+            DurableFiles.force(last.unforced().keySet().stream()
+                    .map(run.directory()::resolve)
+                    .toList());
+            checkpoint.save(last.forced());
+        }
+        return last.evolution();
+    }
+
+    private RunFiles.Choice files(EvolutionSettings settings) {
+        Parameters parameters = run.parameters();
+        boolean severalModules = settings.initialNetworks().layout().hasPreferenceNeurons()
+                || settings.initialNetworks().layout().modules() > 1;
+        return new RunFiles.Choice(
+                parameters.flag("io"), parameters.flag("netio"), severalModules, parameters.flag("cleanOldNetworks"));
+    }
+
+    private void evolve(EvolutionSettings settings, EvolutionState state, Task task, RunRecorder recorder) {
+        if (run.parameters().flag("parallelEvaluations")) {
+            try (ParallelEvaluator evaluator = new ParallelEvaluator(tasks, evaluationThreads, run.seed())) {
+                evolve(settings, state, evaluator, recorder);
+            }
+        } else {
+            evolve(settings, state, new SequentialEvaluator(task), recorder);
+        }
+    }
+
+    private static void evolve(
+            EvolutionSettings settings, EvolutionState state, Evaluator evaluator, RunRecorder recorder) {
+        new Evolution(settings, state, evaluator, recorder).run();
+    }
+
+    private RunOutcome failed(String message, Throwable failure) {
+        return new RunOutcome(run, RunMonitor.Phase.FAILED, null, message, failure);
+    }
+
+    /** The outcome with the status that says so; how far the run had come stays in it. */
+    private RunOutcome recorded(RunOutcome failed, RunLock lock) {
+        try {
+            RunStatus last = RunStatus.read(run.directory())
+                    .orElseGet(() -> new RunStatus(
+                            RunStatus.State.RUNNING, 0, run.generations(), Double.NaN, Double.NaN, 0, 0, null));
+            RunStatus status = last.failed(run.generations(), failed.message());
+            gate.pass(() -> {
+                lock.requireHeld();
+                status.write(run.directory());
+            });
+            return new RunOutcome(run, failed.phase(), status, failed.message(), failed.failure());
+        } catch (Exception e) {
+            // The likeliest failure is a full disk; the message still reaches the user.
+            return new RunOutcome(run, failed.phase(), null, failed.message(), withSuppressed(failed.failure(), e));
+        }
+    }
+
+    private static Throwable withSuppressed(Throwable failure, Exception second) {
+        if (failure != null) {
+            failure.addSuppressed(second);
+        }
+        return failure;
+    }
+
+    private String fileMessage(IOException e) {
+        return "cannot write or read in " + run.directory() + ": " + FileTrouble.sentence(e)
+                + "; what was complete is kept: mend it and give the same command again";
+    }
+}

@@ -1,0 +1,146 @@
+package mmneat.experiment.run;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import mmneat.experiment.FileTrouble;
+import mmneat.experiment.NearestName;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.ParameterCatalogue;
+import mmneat.experiment.parameters.ParameterReader;
+import mmneat.experiment.parameters.PublishedConfigurations;
+import mmneat.experiment.store.RunStatus;
+
+/**
+ * Several experiments that are asked for in one go: every published combination of the tasks and methods that are listed.
+ *
+ * <p>Words as on the command line, where {@code task} and {@code method} may be lists: {@code task=blended,isolated
+ * method=1M,2M}. {@code method=all} means all published methods of each task.
+ *
+ * @param parts the experiments, tasks first, in the order of the words; not empty
+ * @param remarks what the user should know, a line each: combinations that were not published and so are left out
+ */
+public record Study(List<Part> parts, List<String> remarks) {
+
+    private static final String ALL = "all";
+
+    public Study {
+        parts = List.copyOf(parts);
+        remarks = List.copyOf(remarks);
+    }
+
+    /**
+     * The experiments that the words ask for.
+     *
+     * @throws UserError for words that are not understood, or if no combination was published
+     */
+    public static Study of(List<String> words, ParameterCatalogue catalogue) {
+        List<String> tasks = list(words, "task", "");
+        List<String> methods = list(words, "method", catalogue.require("method").defaultValue());
+        List<Part> parts = new ArrayList<>();
+        List<String> remarks = new ArrayList<>();
+        if (tasks.size() <= 1 && methods.size() <= 1 && !methods.contains(ALL)) {
+            parts.add(part(words, catalogue, remarks));
+            return new Study(parts, remarks);
+        }
+        List<String> common = words.stream()
+                .filter(word -> !isNamed(word, "task") && !isNamed(word, "method"))
+                .toList();
+        // A name that is no method at all is a mistake, not a combination that nobody published.
+        List<String> known = methods.contains(ALL)
+                ? List.of()
+                : methods.stream()
+                        .map(catalogue.require("method")::check)
+                        .distinct()
+                        .toList();
+        for (String task : tasks) {
+            List<String> published = publishedMethods(task);
+            for (String method : methods.contains(ALL) ? published : known) {
+                if (published.contains(method)) {
+                    List<String> own = new ArrayList<>(List.of("task=" + task, "method=" + method));
+                    own.addAll(common);
+                    parts.add(part(own, catalogue, remarks));
+                } else {
+                    remarks.add("task=" + task + " has no method " + method + " (it has " + String.join(", ", published)
+                            + "): left out");
+                }
+            }
+        }
+        if (parts.isEmpty()) {
+            throw new UserError(remarks.isEmpty() ? "task is missing; give it as task=blended" : remarks.get(0));
+        }
+        return new Study(parts, remarks);
+    }
+
+    private static Part part(List<String> words, ParameterCatalogue catalogue, List<String> remarks) {
+        ParameterReader.Result read = new ParameterReader(catalogue).read(words);
+        remarks.addAll(read.remarks());
+        ExperimentPlan plan = ExperimentPlan.of(read.parameters());
+        Experiment.requirePossible(plan);
+        return new Part(plan, words);
+    }
+
+    private static List<String> publishedMethods(String task) {
+        if (!PublishedConfigurations.tasks().contains(task)) {
+            throw new UserError("task=" + task + ": a list takes " + String.join(", ", PublishedConfigurations.tasks())
+                    + NearestName.suggestion(task, PublishedConfigurations.tasks()));
+        }
+        return PublishedConfigurations.methodsOf(task);
+    }
+
+    /** The values of a word that may be a list; {@code otherwise} alone if it is not there, nothing if that is empty. */
+    private static List<String> list(List<String> words, String name, String otherwise) {
+        List<String> values = new ArrayList<>();
+        words.stream()
+                .filter(word -> isNamed(word, name))
+                .map(word -> word.substring(name.length() + 1))
+                .flatMap(value -> Arrays.stream(value.split(",")))
+                .map(String::strip)
+                .filter(value -> !value.isEmpty() && !values.contains(value))
+                .forEach(values::add);
+        if (values.isEmpty() && !otherwise.isEmpty()) {
+            values.add(otherwise);
+        }
+        return values;
+    }
+
+    private static boolean isNamed(String word, String name) {
+        return word.startsWith(name + "=") || word.startsWith(name + ":");
+    }
+
+    /**
+     * One experiment of the study.
+     *
+     * @param plan its runs
+     * @param words what describes it on a command line
+     */
+    public record Part(ExperimentPlan plan, List<String> words) {
+
+        public Part {
+            words = List.copyOf(words);
+        }
+
+        /**
+         * Numbers of the runs that are not complete, as their folders tell.
+         *
+         * @throws UserError if a folder cannot be read
+         */
+        public List<Integer> unfinishedRuns() {
+            return plan.runs().stream()
+                    .filter(run -> !isFinished(run))
+                    .map(RunPlan::number)
+                    .toList();
+        }
+
+        private static boolean isFinished(RunPlan run) {
+            try {
+                return RunStatus.read(run.directory())
+                        .filter(status -> status.isFinished(run.generations()))
+                        .isPresent();
+            } catch (IOException e) {
+                throw new UserError(run.directory() + ": cannot be read: " + FileTrouble.reason(e), e);
+            }
+        }
+    }
+}

@@ -1,0 +1,90 @@
+package mmneat.experiment.store;
+
+import com.fasterxml.jackson.annotation.JsonPropertyOrder;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Objects;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import mmneat.evolution.EvolutionState;
+import mmneat.experiment.UserError;
+import mmneat.neat.io.GenotypeJson;
+
+/**
+ * All that a run needs to continue as if it had never stopped.
+ *
+ * @param format always {@value #FORMAT}
+ * @param version version of the format
+ * @param logs length in bytes of every log when the generation was over
+ * @param unforced what of the run's files had been written but not forced to the disk; empty: nothing, it all outlives a failure
+ *     of the machine
+ * @param evolution population, generator, counters
+ */
+@JsonPropertyOrder({"format", "version", "logs", "unforced", "evolution"})
+public record Checkpoint(
+        String format,
+        int version,
+        SortedMap<String, Long> logs,
+        SortedMap<String, UnforcedFiles.Stretch> unforced,
+        EvolutionState evolution) {
+
+    private static final String FORMAT = "mmneat-checkpoint";
+    private static final int VERSION = 1;
+    private static final ObjectMapper JSON =
+            JsonMapper.builder().addModule(GenotypeJson.module()).build();
+
+    public Checkpoint {
+        if (!FORMAT.equals(format) || version != VERSION) {
+            throw new IllegalArgumentException(
+                    "must be " + FORMAT + " version " + VERSION + ", is " + format + " version " + version);
+        }
+        Objects.requireNonNull(logs, "logs");
+        Objects.requireNonNull(evolution, "evolution");
+        // Earlier programs forced everything and did not say so.
+        unforced = unforced == null ? new TreeMap<>() : unforced;
+    }
+
+    public static Checkpoint of(
+            EvolutionState evolution, Map<String, Long> logs, SortedMap<String, UnforcedFiles.Stretch> unforced) {
+        return new Checkpoint(FORMAT, VERSION, new TreeMap<>(logs), unforced, evolution);
+    }
+
+    /** Whether all files of the run were on the disk when this was written. */
+    public boolean wasForced() {
+        return unforced.isEmpty();
+    }
+
+    /** The same, after all files of the run were forced to the disk. */
+    public Checkpoint forced() {
+        return new Checkpoint(format, version, logs, new TreeMap<>(), evolution);
+    }
+
+    byte[] toJson() {
+        try {
+            return JSON.writeValueAsBytes(this);
+        } catch (JsonProcessingException e) {
+            throw new IllegalStateException("the checkpoint cannot be written as JSON", e);
+        }
+    }
+
+    /**
+     * Reads what {@link #toJson} wrote.
+     *
+     * @param source the run's folder, for error messages
+     * @throws UserError if it is no checkpoint of this version
+     */
+    static Checkpoint fromJson(byte[] json, Path source) throws IOException {
+        try {
+            return JSON.readValue(json, Checkpoint.class);
+        } catch (JsonProcessingException e) {
+            throw new UserError(
+                    source + ": its checkpoint is not one of this version of the program (" + e.getOriginalMessage()
+                            + "); continue with the version that began the run, or delete the folder to start it again",
+                    e);
+        }
+    }
+}

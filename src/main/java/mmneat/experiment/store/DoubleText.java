@@ -1,0 +1,212 @@
+package mmneat.experiment.store;
+
+import java.math.BigInteger;
+
+/**
+ * Doubles as text in the form in which the original's files hold them: that of {@code Double.toString} before Java 19.
+ *
+ * <p>Since Java 19 {@code Double.toString} gives the shortest digits that read back as the same double; before, it sometimes
+ * gave one digit more. Files must not depend on the Java that happens to run, so the older rule is written out here.
+ *
+ * <p>Source: G. L. Steele, J. L. White: How to print floating-point numbers accurately, PLDI 1990, of whose free-format
+ * algorithm that rule is a variant; docs/specification/evolution.md, section 5.
+ */
+public final class DoubleText {
+
+    private static final int FRACTION_BITS = 52;
+    private static final int LARGEST_EXACT_INTEGER_EXPONENT = 62;
+    private static final double LARGEST_PLAIN = 1e7;
+
+    /** Digits without leading zeros. */
+    private final StringBuilder digits = new StringBuilder(20);
+
+    /** The value is 0.DIGITS times ten to this power. */
+    private int decimalExponent;
+
+    private DoubleText() {}
+
+    /** The text of any double. */
+    public static String of(double value) {
+        if (value == (long) value && Math.abs(value) < LARGEST_PLAIN) {
+            return (value == 0 && 1 / value < 0 ? "-0" : Long.toString((long) value)) + ".0";
+        }
+        if (Double.isNaN(value) || Double.isInfinite(value)) {
+            return Double.toString(value);
+        }
+        DoubleText text = new DoubleText();
+        text.develop(Math.abs(value));
+        return (value < 0 ? "-" : "") + text.notation();
+    }
+
+    private void develop(double value) {
+        long bits = Double.doubleToLongBits(value);
+        long fraction = bits & ((1L << FRACTION_BITS) - 1);
+        int exponent = (int) (bits >>> FRACTION_BITS) - 1023;
+        int significantBits = FRACTION_BITS + 1;
+        if (exponent == -1023) {
+            // Subnormal: shifted until the leading bit is where that of other numbers is implied.
+            int shift = Long.numberOfLeadingZeros(fraction) - (63 - FRACTION_BITS);
+            fraction <<= shift;
+            exponent = -1022 - shift;
+            significantBits -= shift;
+        } else {
+            fraction |= 1L << FRACTION_BITS;
+        }
+        int trailingZeros = Long.numberOfTrailingZeros(fraction);
+        int usedBits = FRACTION_BITS + 1 - trailingZeros;
+        boolean isInteger = usedBits <= exponent + 1;
+        if (isInteger && exponent <= LARGEST_EXACT_INTEGER_EXPONENT) {
+            developInteger(fraction, exponent, significantBits);
+        } else {
+            developFraction(fraction >>> trailingZeros, usedBits, exponent, significantBits);
+        }
+    }
+
+    /** An integer below 2^63: all its digits but those beyond a double's precision, rounded. */
+    private void developInteger(long fraction, int exponent, int significantBits) {
+        long integer = exponent >= FRACTION_BITS
+                ? fraction << exponent - FRACTION_BITS
+                : fraction >>> FRACTION_BITS - exponent;
+        int beyond = exponent - significantBits - 1;
+        int insignificant = beyond > 1 ? String.valueOf(1L << beyond).length() - 1 : 0;
+        long unit = 1;
+        for (int i = 0; i < insignificant; i++) {
+            unit *= 10;
+        }
+        long kept = integer / unit + (insignificant > 0 && integer % unit >= unit / 2 ? 1 : 0);
+        digits.append(kept);
+        decimalExponent = digits.length() + insignificant;
+        while (digits.length() > 1 && digits.charAt(digits.length() - 1) == '0') {
+            digits.setLength(digits.length() - 1);
+        }
+    }
+
+    /*
+     * Steele and White's digit generation. The value is remainder / unit times a power of ten; halfGap is, on the same scale,
+     * half the distance to the next double. Digits are produced until the rest is within halfGap of what has been printed
+     * (low) or of the next higher last digit (high).
+     */
+    private void developFraction(long fraction, int usedBits, int exponent, int significantBits) {
+        int tinyBits = Math.max(0, usedBits - exponent - 1);
+        int estimate = estimatedDecimalExponent(fraction, usedBits, exponent);
+        int remainder5 = Math.max(0, -estimate);
+        int remainder2 = remainder5 + tinyBits + exponent;
+        int unit5 = Math.max(0, estimate);
+        int unit2 = unit5 + tinyBits;
+        int gap2 = remainder2 - significantBits;
+        remainder2 -= usedBits - 1;
+        int common = Math.min(remainder2, unit2);
+        remainder2 -= common;
+        unit2 -= common;
+        gap2 -= common;
+        if (usedBits == 1) {
+            // The next smaller neighbour of a power of two is only half as far away as the next larger.
+            gap2--;
+        }
+        if (gap2 < 0) {
+            remainder2 -= gap2;
+            unit2 -= gap2;
+            gap2 = 0;
+        }
+        BigInteger remainder = product(fraction, remainder5, remainder2);
+        BigInteger unit = product(1, unit5, unit2);
+        BigInteger halfGap = product(1, remainder5, gap2);
+        boolean isWide =
+                usedBits + remainder2 + bitsOfPowerOf5(remainder5) >= 64 || unit2 + 1 + bitsOfPowerOf5(unit5 + 1) >= 64;
+        generateDigits(remainder, unit, halfGap, isWide, estimate);
+    }
+
+    private void generateDigits(BigInteger rest, BigInteger unit, BigInteger gap, boolean isWide, int estimate) {
+        int exponent = estimate;
+        BigInteger tenUnits = unit.multiply(BigInteger.TEN);
+        BigInteger halfGap = gap;
+        BigInteger[] split = rest.divideAndRemainder(unit);
+        BigInteger remainder = split[1].multiply(BigInteger.TEN);
+        halfGap = halfGap.multiply(BigInteger.TEN);
+        boolean low = remainder.compareTo(halfGap) < 0;
+        boolean high = isHigh(remainder, halfGap, tenUnits, isWide);
+        int digit = split[0].intValue();
+        if (digit == 0 && !high) {
+            exponent--;
+        } else {
+            digits.append(digit);
+        }
+        if (exponent < -3 || exponent >= 8) {
+            // Scientific notation has at least one digit behind the point.
+            low = false;
+            high = false;
+        }
+        while (!low && !high) {
+            split = remainder.divideAndRemainder(unit);
+            remainder = split[1].multiply(BigInteger.TEN);
+            halfGap = halfGap.multiply(BigInteger.TEN);
+            // In narrow arithmetic the gap may outgrow a long; then this digit is the last.
+            boolean overflows = !isWide && halfGap.bitLength() > 63;
+            low = overflows || remainder.compareTo(halfGap) < 0;
+            high = overflows || isHigh(remainder, halfGap, tenUnits, isWide);
+            digits.append(split[0].intValue());
+        }
+        decimalExponent = exponent + 1;
+        if (high) {
+            BigInteger aboveHalf = remainder.shiftLeft(1).subtract(tenUnits);
+            int half = isWide ? aboveHalf.signum() : Long.signum(aboveHalf.longValue());
+            boolean lastIsOdd = (digits.charAt(digits.length() - 1) - '0') % 2 == 1;
+            if (!low || half > 0 || (half == 0 && lastIsOdd)) {
+                roundUp();
+            }
+        }
+    }
+
+    private static boolean isHigh(BigInteger remainder, BigInteger halfGap, BigInteger tenUnits, boolean isWide) {
+        BigInteger sum = remainder.add(halfGap);
+        // Only in wide arithmetic does the bound itself count as within reach, and in narrow arithmetic the sum may
+        // overflow.
+        return isWide ? sum.compareTo(tenUnits) >= 0 : sum.longValue() > tenUnits.longValue();
+    }
+
+    private void roundUp() {
+        int last = digits.length() - 1;
+        while (last > 0 && digits.charAt(last) == '9') {
+            digits.setCharAt(last, '0');
+            last--;
+        }
+        if (digits.charAt(last) == '9') {
+            digits.setCharAt(last, '1');
+            decimalExponent++;
+        } else {
+            digits.setCharAt(last, (char) (digits.charAt(last) + 1));
+        }
+    }
+
+    /** The decimal exponent of the first digit, or one more: a straight line through the logarithm. */
+    private static int estimatedDecimalExponent(long fraction, int usedBits, int exponent) {
+        double significand = fraction / (double) (1L << usedBits - 1);
+        return (int) Math.floor((significand - 1.5) * 0.289529654 + 0.176091259 + exponent * 0.301029995663981);
+    }
+
+    private static BigInteger product(long factor, int powerOf5, int powerOf2) {
+        return BigInteger.valueOf(factor)
+                .multiply(BigInteger.valueOf(5).pow(powerOf5))
+                .shiftLeft(powerOf2);
+    }
+
+    /** The older rule's own measure of a power's size; beyond its table three bits per factor. */
+    private static int bitsOfPowerOf5(int power) {
+        return power < 27 ? BigInteger.valueOf(5).pow(power).bitLength() : power * 3;
+    }
+
+    private String notation() {
+        if (decimalExponent > 0 && decimalExponent < 8) {
+            int point = decimalExponent;
+            if (digits.length() <= point) {
+                return digits + "0".repeat(point - digits.length()) + ".0";
+            }
+            return digits.substring(0, point) + "." + digits.substring(point);
+        }
+        if (decimalExponent <= 0 && decimalExponent > -3) {
+            return "0." + "0".repeat(-decimalExponent) + digits;
+        }
+        String behindPoint = digits.length() > 1 ? digits.substring(1) : "0";
+        return digits.charAt(0) + "." + behindPoint + "E" + (decimalExponent - 1);
+    }
+}

@@ -1,0 +1,110 @@
+package mmneat.experiment.store;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.Collection;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * Writes files whole or not at all: to a temporary name, forced to disk, renamed. A crash or a full disk at any moment
+ * leaves the old file or the new one.
+ */
+public final class DurableFiles {
+
+    /** What a file is called while it is being written; a leftover of a crash is overwritten by the next attempt. */
+    private static final String UNFINISHED = ".unfinished";
+
+    private DurableFiles() {}
+
+    /** Makes a folder if it does not exist, also on the disk. */
+    public static void makeFolder(Path folder) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            Files.createDirectories(folder);
+            force(folder.toAbsolutePath().getParent());
+        }
+    }
+
+    /** Writes a file, replacing it if it exists; its folder is made if it does not exist. */
+    public static void write(Path file, byte[] content) throws IOException {
+        makeFolder(file.toAbsolutePath().getParent());
+        Path unfinished = writeUnfinished(file, content);
+        rename(unfinished, file);
+    }
+
+    /**
+     * Replaces a file at once, but leaves it to the operating system when it reaches the disk: the program may die at any
+     * moment, but after a failure of the power the file may be empty unless {@link #force} was called.
+     */
+    static void replace(Path file, byte[] content) throws IOException {
+        makeFolder(file.toAbsolutePath().getParent());
+        Path unfinished = file.resolveSibling(file.getFileName() + UNFINISHED);
+        Files.write(unfinished, content);
+        Files.move(unfinished, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /** Waits until the files are on the disk, under their names. */
+    public static void force(Collection<Path> files) throws IOException {
+        Set<Path> folders = new TreeSet<>();
+        for (Path file : files) {
+            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+                channel.force(true);
+            }
+            folders.add(file.toAbsolutePath().getParent());
+        }
+        for (Path folder : folders) {
+            force(folder);
+        }
+    }
+
+    /** Gives a file another name, also on the disk. */
+    static void rename(Path from, Path to) throws IOException {
+        Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        force(to.toAbsolutePath().getParent());
+    }
+
+    /** Cuts a file at the length and adds to it; {@link #force} puts it on the disk. */
+    static void appendAt(Path file, long length, byte[] content) throws IOException {
+        makeFolder(file.toAbsolutePath().getParent());
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, StandardOpenOption.CREATE)) {
+            channel.truncate(length);
+            channel.position(length);
+            writeFully(channel, content);
+        }
+    }
+
+    private static Path writeUnfinished(Path file, byte[] content) throws IOException {
+        Path unfinished = file.resolveSibling(file.getFileName() + UNFINISHED);
+        try (FileChannel channel = FileChannel.open(
+                unfinished,
+                StandardOpenOption.WRITE,
+                StandardOpenOption.CREATE,
+                StandardOpenOption.TRUNCATE_EXISTING)) {
+            writeFully(channel, content);
+            channel.force(true);
+        }
+        return unfinished;
+    }
+
+    private static void writeFully(FileChannel channel, byte[] content) throws IOException {
+        ByteBuffer buffer = ByteBuffer.wrap(content);
+        while (buffer.hasRemaining()) {
+            channel.write(buffer);
+        }
+    }
+
+    /** A rename is on disk when the folder is. Windows does not open folders and writes renames by itself. */
+    private static void force(Path folder) throws IOException {
+        if (File.separatorChar == '/') {
+            try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {
+                channel.force(true);
+            }
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package mmneat.experiment.store;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.Parameters;
+import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.parameters.Tasks;
+import pacman.game.GhostLocations;
+
+/**
+ * The ghost locations of an isolated run, {@value #FILE} in its folder: the run goes on with them wherever its folder is, and
+ * whatever recording a later version of the program brings along.
+ */
+public final class GhostLocationsCopy {
+
+    /** Its name, and what {@code parameters.properties} says of it. */
+    static final String FILE = "ghost-locations.txt";
+
+    private GhostLocationsCopy() {}
+
+    /** The run's parameters; they name the run's own ghost locations as soon as it has them. */
+    public static Parameters parameters(Path directory, Parameters parameters) {
+        return isNeeded(parameters) && Files.exists(file(directory))
+                ? parameters.with(Tasks.GHOST_LOCATIONS, file(directory))
+                : parameters;
+    }
+
+    /** Gives the run its own ghost locations, unless it has them or needs none. */
+    public static void keep(Path directory, Parameters parameters) throws IOException {
+        if (isNeeded(parameters) && !Files.exists(file(directory))) {
+            String asked = parameters.text(Tasks.GHOST_LOCATIONS);
+            DurableFiles.write(
+                    file(directory),
+                    asked.isEmpty()
+                            ? GhostLocations.shippedText().getBytes(StandardCharsets.UTF_8)
+                            : Files.readAllBytes(Path.of(asked)));
+        }
+    }
+
+    /**
+     * Makes sure that the run was begun with the ghost locations that are asked for now, if it was begun and they can be read.
+     *
+     * @throws UserError if not
+     */
+    public static void requireSame(Path directory, Parameters parameters) throws IOException {
+        String asked = parameters.text(Tasks.GHOST_LOCATIONS);
+        if (!isNeeded(parameters)
+                || asked.isEmpty()
+                || !Files.exists(file(directory))
+                || !Files.exists(Path.of(asked))) {
+            return;
+        }
+        if (!Arrays.equals(Files.readAllBytes(Path.of(asked)), Files.readAllBytes(file(directory)))) {
+            throw new UserError(
+                    directory + " was begun with other ghost locations than " + Tasks.GHOST_LOCATIONS + "=" + asked
+                            + "; leave it out to continue with its own (" + FILE
+                            + "), or give another folder with base=FOLDER");
+        }
+    }
+
+    private static boolean isNeeded(Parameters parameters) {
+        return TaskKind.of(parameters) == TaskKind.ISOLATED;
+    }
+
+    private static Path file(Path directory) {
+        return directory.resolve(FILE);
+    }
+}

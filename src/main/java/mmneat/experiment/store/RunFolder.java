@@ -1,0 +1,197 @@
+package mmneat.experiment.store;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import mmneat.experiment.UserError;
+
+/**
+ * The files of one run, kept so that they always belong to a complete generation.
+ *
+ * <p>Whole files ({@link #write}) are there at once and complete. Rows of logs ({@link #append}) are held back and reach their
+ * files together ({@link #flush}), just before the checkpoint that remembers the lengths is written. After a crash the logs
+ * are cut back to the lengths of the checkpoint that is there ({@link #cutTo}); what was written since is made again.
+ *
+ * <p>When the operating system puts it all on the disk is its own affair until {@link #force}: waiting for a disk file by file
+ * takes longer than many a generation. Until then {@link #unforced} tells by checksums what a failure of the machine may lose.
+ *
+ * <p>Names are relative to the folder, with {@code /} between the parts, for example {@code bestPacMan/score.txt}; those of
+ * the logs and score files start with {@link #prefix()}. Texts are written in UTF-8.
+ *
+ * <p>A file that cannot be written is an {@link UncheckedIOException} (the disk is full, the folder is gone).
+ */
+public final class RunFolder {
+
+    private final Path directory;
+    private final String prefix;
+    private final Map<String, StringBuilder> held = new TreeMap<>();
+    private final Map<String, Long> lengths = new TreeMap<>();
+
+    private final UnforcedFiles unforced;
+
+    /** Files that are written again from the checkpoint when a run is continued; forced when it is complete. */
+    private final Set<Path> remakeable = new TreeSet<>();
+
+    /**
+     * @param directory the run's folder
+     * @param prefix what the names of score files and logs start with: {@code <log><run>_}
+     */
+    public RunFolder(Path directory, String prefix) {
+        this.directory = directory;
+        this.prefix = prefix;
+        unforced = new UnforcedFiles(directory);
+    }
+
+    /** The run's folder. */
+    public Path directory() {
+        return directory;
+    }
+
+    /** What the names of score files and logs start with, such as {@code blended-2M0_}. */
+    public String prefix() {
+        return prefix;
+    }
+
+    /** Writes a file, replacing it if it exists. */
+    public void write(String name, String content) {
+        write(name, content.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Writes a file, replacing it if it exists. */
+    public void write(String name, byte[] content) {
+        replace(name, content);
+        unforced.replaced(name, content);
+    }
+
+    /**
+     * Writes a file that follows from the checkpoint alone, replacing it if it exists. Whoever continues the run has to write it
+     * again.
+     */
+    public void writeRemakeable(String name, String content) {
+        replace(name, content.getBytes(StandardCharsets.UTF_8));
+        remakeable.add(directory.resolve(name));
+    }
+
+    private void replace(String name, byte[] content) {
+        try {
+            DurableFiles.replace(directory.resolve(name), content);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Adds text to a log; it stands in the file after the next {@link #flush}. */
+    public void append(String name, String text) {
+        held.computeIfAbsent(name, key -> new StringBuilder()).append(text);
+    }
+
+    /** The names of the folders in it, in no order. */
+    public List<String> folders() {
+        try (Stream<Path> entries = Files.list(directory)) {
+            return entries.filter(Files::isDirectory)
+                    .map(folder -> folder.getFileName().toString())
+                    .toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Deletes a folder of the run with the files in it, if it is there. */
+    public void deleteFolder(String name) {
+        Path folder = directory.resolve(name);
+        if (!Files.isDirectory(folder)) {
+            return;
+        }
+        try (Stream<Path> entries = Files.walk(folder)) {
+            List<Path> innermostFirst =
+                    entries.sorted(Comparator.reverseOrder()).toList();
+            for (Path entry : innermostFirst) {
+                Files.delete(entry);
+                remakeable.remove(entry);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        unforced.deletedFolder(name);
+    }
+
+    /**
+     * Puts all text that was added into the logs.
+     *
+     * @return the length in bytes of every log, for {@link #cutTo}
+     */
+    public Map<String, Long> flush() {
+        held.forEach((name, text) -> {
+            byte[] content = text.toString().getBytes(StandardCharsets.UTF_8);
+            long length = lengths.getOrDefault(name, 0L);
+            try {
+                // A log that no checkpoint knows is what a crash left: it starts again.
+                DurableFiles.appendAt(directory.resolve(name), length, content);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+            unforced.appended(name, length, content);
+            lengths.put(name, length + content.length);
+        });
+        held.clear();
+        return Map.copyOf(lengths);
+    }
+
+    /** What may not be on the disk yet, besides what can be made again; changes with every call that writes. */
+    public UnforcedFiles unforced() {
+        return unforced;
+    }
+
+    /** Waits until everything is on the disk that cannot be made again from a checkpoint. */
+    public void force() {
+        try {
+            unforced.force();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Waits until everything is on the disk. */
+    public void forceAll() {
+        force();
+        try {
+            DurableFiles.force(remakeable);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        remakeable.clear();
+    }
+
+    /**
+     * Cuts the logs back to what they were when {@link #flush} returned these lengths.
+     *
+     * @throws UserError if a log is shorter
+     */
+    public void cutTo(Map<String, Long> checkpointLengths) {
+        held.clear();
+        lengths.clear();
+        lengths.putAll(checkpointLengths);
+        lengths.forEach((name, length) -> {
+            Path file = directory.resolve(name);
+            try {
+                long there = Files.exists(file) ? Files.size(file) : 0;
+                if (there < length) {
+                    throw new UserError(file + ": has " + there + " bytes, but the checkpoint was written when it had "
+                            + length + "; restore the file, or delete " + directory + " to start the run again");
+                }
+                DurableFiles.appendAt(file, length, new byte[0]);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        });
+    }
+}

@@ -1,0 +1,283 @@
+package mmneat.experiment.store;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import mmneat.evolution.DaemonThreads;
+
+/**
+ * One process at a time works in a run's folder.
+ *
+ * <p>The lock is a file, {@code lock.json}, that says who holds it. It works on shared file systems without advisory locking:
+ * it needs nothing but that creating a file fails if the file exists. While a process holds it, it touches the file every
+ * few seconds; the time of the last touch is its sign of life.
+ *
+ * <p>A lock is dead, and taken over, if its holder was on this machine and no longer runs; or if it was on another machine
+ * and its sign of life is old and does not change while we watch (so that clocks that differ do no harm). A holder whose
+ * lock was taken over notices before it writes again ({@link #requireHeld}).
+ */
+public final class RunLock implements AutoCloseable {
+
+    /**
+     * How long things take.
+     *
+     * @param touch time between two signs of life
+     * @param silence age of a sign of life from which on the holder may be dead
+     * @param watch how long an old sign of life is then watched; longer than {@code touch}
+     */
+    public record Timing(Duration touch, Duration silence, Duration watch) {
+        public static final Timing USUAL =
+                new Timing(Duration.ofSeconds(5), Duration.ofSeconds(60), Duration.ofSeconds(15));
+    }
+
+    /** The folder is in use by somebody else. */
+    public static final class HeldException extends Exception {
+        private static final long serialVersionUID = 1;
+
+        private HeldException(String message) {
+            super(message);
+        }
+
+        static HeldException by(String holder, Path lock) {
+            return new HeldException(lock.getParent() + " is in use by " + holder
+                    + "; wait for it or stop it (the lock is " + lock + ")");
+        }
+
+        static HeldException byNobody(Path lock) {
+            return new HeldException(
+                    lock + " was deleted while the run was worked at, so that others could have begun to;"
+                            + " give the same command again to go on");
+        }
+    }
+
+    /**
+     * A lock as anybody may see it.
+     *
+     * @param holder empty if the file is unreadable: it was just being written, or its writer died
+     * @param signOfLife when the file was touched last
+     */
+    record Sighting(Optional<LockHolder> holder, Instant signOfLife) {
+
+        /** Whether the holder seems to work: it runs on this machine, or was heard of lately. */
+        boolean seemsAlive(Instant now, Timing timing) {
+            return holder.filter(who -> who.isOn(LockHolder.self()))
+                    .map(LockHolder::isRunning)
+                    .orElse(Duration.between(signOfLife, now).abs().compareTo(timing.silence()) < 0);
+        }
+
+        String describe() {
+            return holder.map(LockHolder::describe).orElse("an unknown process");
+        }
+    }
+
+    private static final ObjectMapper JSON = JsonMapper.builder().build();
+
+    private final Path file;
+    private final LockHolder self;
+    private final ScheduledExecutorService heart;
+
+    /** Why the last touch that failed did; null if none did. */
+    private volatile IOException touchFailure;
+
+    private RunLock(Path file, LockHolder self, Timing timing) {
+        this.file = file;
+        this.self = self;
+        heart = Executors.newSingleThreadScheduledExecutor(DaemonThreads.named("lock of " + file.getParent()));
+        long period = timing.touch().toMillis();
+        heart.scheduleAtFixedRate(this::touch, period, period, TimeUnit.MILLISECONDS);
+    }
+
+    /** Takes the lock of a run's folder, which must exist. */
+    public static RunLock acquire(Path directory, Timing timing)
+            throws IOException, HeldException, InterruptedException {
+        Path file = file(directory);
+        LockHolder self = LockHolder.self();
+        while (!create(file, self)) {
+            Optional<Sighting> sighting = look(directory);
+            if (sighting.isPresent()) {
+                if (!isDead(directory, sighting.get(), self, timing)) {
+                    throw HeldException.by(sighting.get().describe(), file);
+                }
+                remove(file, sighting.get(), self);
+            }
+        }
+        return new RunLock(file, self, timing);
+    }
+
+    /** Who holds the lock of a folder, if anybody does. */
+    static Optional<Sighting> look(Path directory) throws IOException {
+        Path file = file(directory);
+        try {
+            Instant signOfLife = Files.getLastModifiedTime(file).toInstant();
+            return Optional.of(new Sighting(read(file), signOfLife));
+        } catch (NoSuchFileException e) {
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * Makes sure that the lock was not taken over.
+     *
+     * @throws HeldException if it was
+     */
+    public void requireHeld() throws IOException, HeldException {
+        Optional<Sighting> sighting = look(file.getParent());
+        boolean held =
+                sighting.flatMap(Sighting::holder).filter(self::equalsToken).isPresent();
+        if (!held) {
+            HeldException lost = sighting.map(other -> HeldException.by(other.describe(), file))
+                    .orElseGet(() -> HeldException.byNobody(file));
+            if (touchFailure != null) {
+                lost.addSuppressed(touchFailure);
+            }
+            throw lost;
+        }
+    }
+
+    /** Gives the lock back. */
+    @Override
+    public void close() throws IOException {
+        heart.shutdownNow();
+        if (read(file).filter(self::equalsToken).isPresent()) {
+            Files.deleteIfExists(file);
+        }
+    }
+
+    private static Path file(Path directory) {
+        return directory.toAbsolutePath().normalize().resolve("lock.json");
+    }
+
+    private static boolean create(Path file, LockHolder self) throws IOException {
+        byte[] json = json(self);
+        return create(file, content -> content.write(json));
+    }
+
+    /** What a lock's file says, written by somebody who may fail. */
+    interface Content {
+        void writeTo(OutputStream file) throws IOException;
+    }
+
+    /**
+     * Makes the file, if it is not there, and fills it.
+     *
+     * @return false if it is there
+     */
+    static boolean create(Path file, Content content) throws IOException {
+        OutputStream created;
+        try {
+            created = Files.newOutputStream(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+        } catch (FileAlreadyExistsException e) {
+            return false;
+        }
+        try (created) {
+            content.writeTo(created);
+            return true;
+        } catch (IOException e) {
+            // On a full disk there is room for the name alone: a lock that nobody holds would keep everybody out.
+            try {
+                Files.deleteIfExists(file);
+            } catch (IOException second) {
+                e.addSuppressed(second);
+            }
+            throw e;
+        }
+    }
+
+    private static boolean isDead(Path directory, Sighting sighting, LockHolder self, Timing timing)
+            throws IOException, InterruptedException {
+        if (sighting.seemsAlive(Instant.now(), timing)) {
+            return false;
+        }
+        if (sighting.holder().filter(self::isOn).isPresent()) {
+            return true;
+        }
+        long end = System.nanoTime() + timing.watch().toNanos();
+        while (System.nanoTime() < end) {
+            Optional<Sighting> now = look(directory);
+            if (now.isEmpty()) {
+                return true;
+            }
+            if (!now.get().equals(sighting)) {
+                return false;
+            }
+            TimeUnit.MILLISECONDS.sleep(Math.max(1, timing.touch().toMillis() / 5));
+        }
+        return true;
+    }
+
+    /**
+     * Takes a dead lock away. Two processes may find the same lock dead; the slower one may then have moved the faster one's
+     * new lock, and puts it back.
+     */
+    private static void remove(Path file, Sighting dead, LockHolder self) throws IOException {
+        Path aside = file.resolveSibling("lock-" + self.token() + ".dead");
+        try {
+            Files.move(file, aside, StandardCopyOption.ATOMIC_MOVE);
+        } catch (NoSuchFileException e) {
+            return;
+        }
+        Optional<LockHolder> moved = read(aside);
+        if (moved.isPresent() && !moved.equals(dead.holder())) {
+            create(file, moved.get());
+        }
+        Files.delete(aside);
+    }
+
+    private static Optional<LockHolder> read(Path file) throws IOException {
+        try {
+            Map<?, ?> fields = JSON.readValue(Files.readAllBytes(file), Map.class);
+            return Optional.of(new LockHolder(
+                    String.valueOf(fields.get("host")),
+                    String.valueOf(fields.get("machine")),
+                    Long.parseLong(String.valueOf(fields.get("pid"))),
+                    Instant.parse(String.valueOf(fields.get("processStart"))),
+                    Instant.parse(String.valueOf(fields.get("since"))),
+                    String.valueOf(fields.get("token"))));
+        } catch (NoSuchFileException
+                | JsonProcessingException
+                | IllegalArgumentException
+                | java.time.DateTimeException e) {
+            // Just being written, or half written by a process that died: its age alone will tell.
+            return Optional.empty();
+        }
+    }
+
+    private static byte[] json(LockHolder holder) throws IOException {
+        Map<String, Object> fields = new java.util.LinkedHashMap<>();
+        fields.put("host", holder.host());
+        fields.put("pid", holder.pid());
+        fields.put("since", holder.since().toString());
+        fields.put("processStart", holder.processStart().toString());
+        fields.put("machine", holder.machine());
+        fields.put("token", holder.token());
+        return JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(fields);
+    }
+
+    private void touch() {
+        try {
+            // Another's lock must die with its holder.
+            if (read(file).filter(self::equalsToken).isPresent()) {
+                Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
+            }
+        } catch (IOException e) {
+            // The lock is gone or the file system is away for a moment: requireHeld, asked before each write, tells.
+            touchFailure = e;
+        }
+    }
+}

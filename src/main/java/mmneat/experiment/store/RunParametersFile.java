@@ -1,0 +1,124 @@
+package mmneat.experiment.store;
+
+import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
+import com.fasterxml.jackson.dataformat.javaprop.JavaPropsSchema;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.OwnTask;
+import mmneat.experiment.parameters.Parameter;
+import mmneat.experiment.parameters.Parameters;
+import mmneat.experiment.parameters.PropertiesFile;
+import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.parameters.Tasks;
+
+/**
+ * {@code parameters.properties} in a run's folder: everything that is needed to make the run again, readable as
+ * {@code config=FILE}.
+ */
+public final class RunParametersFile {
+
+    /** What somebody asks for, but no property of the run. */
+    private static final Set<String> NOT_OF_THE_RUN = Set.of("runs", "run", "config", "quiet", "threads");
+
+    /** What may differ when a run is continued: where things are, and how far it goes. */
+    private static final Set<String> MAY_CHANGE =
+            Set.of("base", "saveTo", "jar", Tasks.GHOST_LOCATIONS, "maxGens", "method");
+
+    private static final Set<String> FOLLOW_FROM_OTHERS = Set.of("method", "jar");
+
+    private final Path directory;
+    private final Path file;
+
+    public RunParametersFile(Path directory) {
+        this.directory = directory;
+        file = directory.resolve("parameters.properties");
+    }
+
+    public boolean exists() {
+        return Files.exists(file);
+    }
+
+    public void write(Parameters parameters) throws IOException {
+        StringWriter text = new StringWriter();
+        text.write("# All parameters of this run. To make it again: config=<this file>\n");
+        try (var writer = new JavaPropsMapper()
+                .writer(JavaPropsSchema.emptySchema().withoutPathSeparator())
+                .writeValues(text)) {
+            writer.write(values(parameters));
+        }
+        DurableFiles.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /**
+     * All values by name.
+     *
+     * @throws UserError if they cannot be read, or the number of the run is none
+     */
+    Map<String, String> read() {
+        Map<String, String> values = PropertiesFile.read(file);
+        PropertiesFile.requireWholeNumber(file, values, "runNumber");
+        return values;
+    }
+
+    /**
+     * Makes sure that the run was begun with the same parameters.
+     *
+     * @throws UserError if not, naming those that differ
+     */
+    public void requireSame(Parameters parameters) {
+        Map<String, String> saved = read();
+        Map<String, String> asked = values(parameters);
+        Set<String> names = new LinkedHashSet<>(asked.keySet());
+        names.addAll(saved.keySet());
+        List<String> differing = new ArrayList<>();
+        for (String name : names) {
+            String before = saved.get(name);
+            String value = asked.get(name);
+            // A name of the catalogue that one side lacks is that of an older or newer program, or has no effect.
+            boolean isComparable = before != null && value != null
+                    || parameters.catalogue().find(name).isEmpty();
+            if (isComparable && !Objects.equals(before, value) && !MAY_CHANGE.contains(name)) {
+                String now = value == null ? "not given" : value;
+                differing.add((before == null ? "no " + name : name + "=" + before) + " (now " + now + ")");
+            }
+        }
+        if (!differing.isEmpty()) {
+            throw new UserError(directory + " was begun with " + String.join(", ", differing)
+                    + "; give the same to continue it, or another folder with base=FOLDER");
+        }
+    }
+
+    /**
+     * Every value that has an effect. The method's name, which the other values amount to, is left out unless it was given.
+     */
+    private static Map<String, String> values(Parameters parameters) {
+        Map<String, String> values = new LinkedHashMap<>();
+        for (Parameter parameter : parameters.catalogue().all()) {
+            String name = parameter.name();
+            boolean follows = FOLLOW_FROM_OTHERS.contains(name) && !parameters.isGiven(name);
+            if (parameter.support() == Parameter.Support.YES && !NOT_OF_THE_RUN.contains(name) && !follows) {
+                values.put(name, parameters.text(name));
+            }
+        }
+        TaskKind kind = TaskKind.of(parameters);
+        if (kind != TaskKind.OWN) {
+            values.put("task", kind.label());
+        }
+        if (kind == TaskKind.ISOLATED) {
+            values.put(Tasks.GHOST_LOCATIONS, GhostLocationsCopy.FILE);
+        }
+        parameters.ofOwnTask().forEach((name, value) -> values.put(OwnTask.PREFIX + name, value));
+        return values;
+    }
+}

@@ -1,0 +1,86 @@
+package mmneat.experiment.store;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A run as its files show it to anybody who looks in from outside, while it is worked at or not.
+ *
+ * @param directory the run's folder
+ * @param experiment name of the experiment, for instance {@code blended-2M}
+ * @param number number of the run
+ * @param state what it is doing
+ * @param status how far it is; null if it has not begun
+ * @param signOfLife when its holder was heard of last; null if nobody holds it
+ * @param estimatedEnd when it will be done; null if that is not known
+ */
+public record RunView(
+        Path directory,
+        String experiment,
+        int number,
+        State state,
+        RunStatus status,
+        Instant signOfLife,
+        Instant estimatedEnd) {
+
+    /** What a run is doing. */
+    public enum State {
+        FINISHED,
+        /** A process works at it. */
+        RUNNING,
+        /** It was begun and nobody works at it: the same command continues it. */
+        INTERRUPTED,
+        FAILED,
+        /** It was asked for and has not begun. */
+        WAITING
+    }
+
+    /** A run that has not begun. */
+    public static RunView waiting(Path directory, String experiment, int number) {
+        return new RunView(directory, experiment, number, State.WAITING, null, null, null);
+    }
+
+    /** Whether a folder is that of a run of this program. */
+    public static boolean isRun(Path folder) {
+        return new RunParametersFile(folder).exists()
+                && (Files.exists(folder.resolve("status.json")) || new CheckpointFile(folder).exists());
+    }
+
+    /** Reads a run's folder. */
+    public static RunView read(Path directory, Instant now) throws IOException {
+        Map<String, String> parameters = new RunParametersFile(directory).read();
+        Optional<RunStatus> status = RunStatus.read(directory);
+        Optional<RunLock.Sighting> lock = RunLock.look(directory);
+        boolean worksNow =
+                lock.filter(held -> held.seemsAlive(now, RunLock.Timing.USUAL)).isPresent();
+        State state =
+                worksNow ? State.RUNNING : status.map(RunView::restingState).orElse(State.INTERRUPTED);
+        Instant end = null;
+        if (worksNow && status.isPresent() && status.get().secondsPerGeneration() > 0) {
+            RunStatus known = status.get();
+            double seconds = known.secondsPerGeneration() * (known.generations() - known.generation() + 0.5);
+            end = RunStatus.lastWritten(directory).plus(Duration.ofMillis((long) (seconds * 1000)));
+        }
+        return new RunView(
+                directory,
+                parameters.getOrDefault("log", ""),
+                Integer.parseInt(parameters.getOrDefault("runNumber", "0")),
+                state,
+                status.orElse(null),
+                lock.map(RunLock.Sighting::signOfLife).orElse(null),
+                end);
+    }
+
+    private static State restingState(RunStatus status) {
+        return switch (status.state()) {
+            case FINISHED -> status.generation() >= status.generations() ? State.FINISHED : State.INTERRUPTED;
+            case FAILED -> State.FAILED;
+            case RUNNING -> State.INTERRUPTED;
+        };
+    }
+}

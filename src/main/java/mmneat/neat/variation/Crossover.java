@@ -1,0 +1,161 @@
+package mmneat.neat.variation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import mmneat.neat.Archetype;
+import mmneat.neat.GenotypeDraft;
+import mmneat.neat.LinkGene;
+import mmneat.neat.NodeGene;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Crosses two networks gene by gene. Each child has exactly the structure of its own parent; genes that both parents have are
+ * swapped with probability 1/2. Fitness plays no part.
+ *
+ * <p>Source: docs/specification/networks.md, section 9.
+ *
+ * @param excessRate probability that both children get all genes, also those that only one parent has
+ */
+record Crossover(double excessRate) {
+
+    /** The links of two parents that stand for the same structure; one is null if a parent lacks it. */
+    private record Pair(LinkGene ofA, LinkGene ofB) {}
+
+    private record EndPoints(long source, long target) {
+        static EndPoints of(LinkGene link) {
+            return new EndPoints(link.source(), link.target());
+        }
+    }
+
+    /**
+     * Crosses two fresh copies: each becomes the child with its structure. Ids, policy neurons per module and module usage stay
+     * with the structure.
+     */
+    void cross(GenotypeDraft a, GenotypeDraft b, Archetype archetype, ResumableRandom random) {
+        boolean isExcessShared = random.nextFloat() < excessRate;
+        List<NodeGene> nodesOfA = new ArrayList<>(a.nodes());
+        List<NodeGene> nodesOfB = new ArrayList<>(b.nodes());
+        swapShared(nodesOfA, nodesOfB, random);
+        if (isExcessShared) {
+            shareExcess(nodesOfA, nodesOfB, archetype);
+        }
+
+        List<LinkGene> sortedA = sortedByInnovation(a.links());
+        List<LinkGene> sortedB = sortedByInnovation(withInnovationsOf(a.links(), b.links()));
+        List<LinkGene> linksOfA = new ArrayList<>();
+        List<LinkGene> linksOfB = new ArrayList<>();
+        distribute(align(sortedA, sortedB), isExcessShared, linksOfA, linksOfB, random);
+        int modulesOfA = a.modules();
+        a.replaceGenes(nodesOfA, linksOfA);
+        if (a.modules() != modulesOfA) {
+            // As in the original the first child, and only it, counts no use of the modules it gained.
+            a.setModuleUsage(Arrays.copyOf(a.moduleUsage(), a.modules()));
+        }
+        b.replaceGenes(nodesOfB, linksOfB);
+    }
+
+    /**
+     * Swaps neurons that both parents have: one draw for each, in a's order. What both have comes in the same order in both
+     * lists, the archetype's; only full module mutation makes parents that differ in that, and each child keeps its own order.
+     */
+    private static void swapShared(List<NodeGene> a, List<NodeGene> b, ResumableRandom random) {
+        Map<Long, Integer> placesInB = GenotypeDraft.positionsOf(b);
+        for (int i = 0; i < a.size(); i++) {
+            Integer place = placesInB.get(a.get(i).innovation());
+            if (place != null && random.nextBoolean()) {
+                a.set(i, b.set(place, a.get(i)));
+            }
+        }
+    }
+
+    /** Gives each of two lists the neurons that only the other has, all in the archetype's order. */
+    private static void shareExcess(List<NodeGene> a, List<NodeGene> b, Archetype archetype) {
+        List<NodeGene> onlyInA = without(a, GenotypeDraft.positionsOf(b).keySet());
+        List<NodeGene> onlyInB = without(b, GenotypeDraft.positionsOf(a).keySet());
+        a.addAll(onlyInB);
+        b.addAll(onlyInA);
+        Map<Long, Integer> order = GenotypeDraft.positionsOf(archetype.entries());
+        Comparator<NodeGene> byOrder = Comparator.comparing(node -> order.get(node.innovation()));
+        a.sort(byOrder);
+        b.sort(byOrder);
+    }
+
+    private static List<NodeGene> without(List<NodeGene> nodes, Set<Long> innovations) {
+        return nodes.stream()
+                .filter(node -> !innovations.contains(node.innovation()))
+                .toList();
+    }
+
+    /** Deals the links to the children: one draw for each pair that both parents have. */
+    private static void distribute(
+            List<Pair> pairs, boolean isExcessShared, List<LinkGene> toA, List<LinkGene> toB, ResumableRandom random) {
+        for (Pair pair : pairs) {
+            boolean isShared = pair.ofA != null && pair.ofB != null;
+            boolean isSwapped = isShared && random.nextBoolean();
+            LinkGene forA = isSwapped ? pair.ofB : pair.ofA;
+            LinkGene forB = isSwapped ? pair.ofA : pair.ofB;
+            if (isExcessShared && !isShared) {
+                forA = pair.ofA != null ? pair.ofA : pair.ofB;
+                forB = forA;
+            }
+            if (forA != null) {
+                toA.add(forA);
+            }
+            if (forB != null) {
+                toB.add(forB);
+            }
+        }
+    }
+
+    /** Pairs the links of both parents, both in ascending order; of two that only one has, b's comes first. */
+    private static List<Pair> align(List<LinkGene> a, List<LinkGene> b) {
+        Set<Long> inA = innovationsOf(a);
+        Set<Long> inB = innovationsOf(b);
+        List<Pair> pairs = new ArrayList<>(a.size() + b.size());
+        int i = 0;
+        int j = 0;
+        while (i < a.size() || j < b.size()) {
+            if (j < b.size() && !inA.contains(b.get(j).innovation())) {
+                pairs.add(new Pair(null, b.get(j++)));
+            } else if (i < a.size() && !inB.contains(a.get(i).innovation())) {
+                pairs.add(new Pair(a.get(i++), null));
+            } else {
+                pairs.add(new Pair(a.get(i++), b.get(j++)));
+            }
+        }
+        return pairs;
+    }
+
+    private static Set<Long> innovationsOf(List<LinkGene> links) {
+        Set<Long> innovations = new HashSet<>(links.size() * 2);
+        for (LinkGene link : links) {
+            innovations.add(link.innovation());
+        }
+        return innovations;
+    }
+
+    private static List<LinkGene> sortedByInnovation(List<LinkGene> links) {
+        List<LinkGene> sorted = new ArrayList<>(links);
+        sorted.sort(Comparator.comparingLong(LinkGene::innovation));
+        return sorted;
+    }
+
+    /** The links of b, those between the same neurons as a link of a under its number: they arose independently. */
+    private static List<LinkGene> withInnovationsOf(List<LinkGene> a, List<LinkGene> b) {
+        Map<EndPoints, Long> innovations = new HashMap<>(a.size() * 2);
+        for (LinkGene link : a) {
+            innovations.put(EndPoints.of(link), link.innovation());
+        }
+        List<LinkGene> reconciled = new ArrayList<>(b.size());
+        for (LinkGene link : b) {
+            reconciled.add(link.withInnovation(innovations.getOrDefault(EndPoints.of(link), link.innovation())));
+        }
+        return reconciled;
+    }
+}

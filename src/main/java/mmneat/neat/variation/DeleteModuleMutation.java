@@ -1,0 +1,102 @@
+package mmneat.neat.variation;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import mmneat.neat.GenePool;
+import mmneat.neat.GenotypeDraft;
+import mmneat.neat.LinkGene;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.NodeGene;
+import mmneat.neat.NodeType;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Removes a module, its outputs and their links from a network of several modules that has preference neurons.
+ *
+ * <p>The original ends the program here; this works. Outputs are known by position, so the modules behind the removed one take
+ * over its outputs' innovations, and the links of moved outputs get new numbers: equal numbers keep meaning equal end points.
+ *
+ * @param isLeastUsedChosen whether the module that was used least goes ({@code deleteLeastUsed}), of several the first;
+ *     else a random one
+ */
+record DeleteModuleMutation(boolean isLeastUsedChosen) implements MutationOperator {
+
+    @Override
+    public String logName() {
+        return "DeleteModeMutation";
+    }
+
+    @Override
+    public boolean apply(GenotypeDraft offspring, GenePool pool, ResumableRandom random) {
+        ModuleLayout layout = offspring.layout();
+        if (layout.modules() == 1 || layout.standardMultitask()) {
+            return false;
+        }
+        int module = isLeastUsedChosen ? leastUsed(offspring) : random.nextInt(layout.modules());
+        Map<Long, NodeGene> movedOutputs = new HashMap<>();
+        List<NodeGene> keptNodes = keptNodes(offspring, layout, module, movedOutputs);
+        offspring.replaceGenes(keptNodes, keptLinks(offspring, movedOutputs, pool));
+        offspring.setModuleUsage(without(offspring.moduleUsage(), module, layout.modules()));
+        return true;
+    }
+
+    private static int leastUsed(GenotypeDraft offspring) {
+        int[] usage = offspring.moduleUsage();
+        int least = 0;
+        for (int module = 1; module < Math.min(usage.length, offspring.modules()); module++) {
+            if (usage[module] < usage[least]) {
+                least = module;
+            }
+        }
+        return least;
+    }
+
+    /** The nodes that stay; outputs behind the module move forward, and are noted under their old innovation. */
+    private static List<NodeGene> keptNodes(
+            GenotypeDraft offspring, ModuleLayout layout, int module, Map<Long, NodeGene> moved) {
+        List<NodeGene> kept = new ArrayList<>(offspring.nodes().subList(0, offspring.firstOutput()));
+        int position = 0;
+        for (int output = 0; output < offspring.outputs(); output++) {
+            NodeGene node = offspring.output(output);
+            if (layout.moduleOf(output) != module) {
+                long innovation = offspring.output(position++).innovation();
+                NodeGene placed = innovation == node.innovation()
+                        ? node
+                        : new NodeGene(innovation, NodeType.OUTPUT, node.activation(), node.frozen(), false);
+                moved.put(node.innovation(), placed);
+                kept.add(placed);
+            }
+        }
+        return kept;
+    }
+
+    private static List<LinkGene> keptLinks(GenotypeDraft offspring, Map<Long, NodeGene> moved, GenePool pool) {
+        Map<Long, Long> newInnovation = new HashMap<>();
+        for (NodeGene node : offspring.nodes().subList(0, offspring.firstOutput())) {
+            newInnovation.put(node.innovation(), node.innovation());
+        }
+        moved.forEach((old, node) -> newInnovation.put(old, node.innovation()));
+        List<LinkGene> kept = new ArrayList<>();
+        for (LinkGene link : offspring.links()) {
+            Long source = newInnovation.get(link.source());
+            Long target = newInnovation.get(link.target());
+            if (source != null && target != null) {
+                boolean isMoved = source != link.source() || target != link.target();
+                kept.add(isMoved ? link.moved(pool.takeInnovation(), source, target) : link);
+            }
+        }
+        return kept;
+    }
+
+    private static int[] without(int[] usage, int module, int modules) {
+        if (usage.length != modules) {
+            return usage;
+        }
+        int[] rest = new int[modules - 1];
+        System.arraycopy(usage, 0, rest, 0, module);
+        System.arraycopy(usage, module + 1, rest, module, modules - 1 - module);
+        return rest;
+    }
+}

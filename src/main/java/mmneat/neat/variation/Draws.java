@@ -1,0 +1,29 @@
+package mmneat.neat.variation;
+
+import mmneat.random.ResumableRandom;
+
+/** The kinds of random draws that variation is made of. Source: docs/specification/networks.md, section 2. */
+final class Draws {
+
+    private Draws() {}
+
+    /** Uniform on [-1, 1): the weight of a new link. */
+    static double smallWeight(ResumableRandom random) {
+        return random.nextDouble() * 2 - 1;
+    }
+
+    /** The first {@code count} of the numbers 0..size-1 in the order of a full shuffle: size - 1 draws. */
+    static int[] distinct(int count, int size, ResumableRandom random) {
+        int[] shuffled = new int[size];
+        for (int i = 0; i < size; i++) {
+            shuffled[i] = i;
+        }
+        for (int i = size; i > 1; i--) {
+            int other = random.nextInt(i);
+            int value = shuffled[i - 1];
+            shuffled[i - 1] = shuffled[other];
+            shuffled[other] = value;
+        }
+        return java.util.Arrays.copyOf(shuffled, count);
+    }
+}

@@ -1,0 +1,29 @@
+package mmneat.neat.variation;
+
+/**
+ * How many inputs a policy neuron of a new network or module is connected to.
+ *
+ * @param isSelective whether only some randomly chosen inputs are connected (feature selective start, {@code fs})
+ * @param linksPerOutput how many, if selective ({@code fsLinksPerOut})
+ */
+public record InputSelection(boolean isSelective, int linksPerOutput) {
+
+    /** Every input is connected: the published experiments. */
+    public static final InputSelection ALL = new InputSelection(false, 1);
+
+    /**
+     * A checked selection.
+     *
+     * @throws IllegalArgumentException if {@code linksPerOutput} is less than 1
+     */
+    public InputSelection {
+        if (linksPerOutput < 1) {
+            throw new IllegalArgumentException("fsLinksPerOut must be at least 1, is " + linksPerOutput);
+        }
+    }
+
+    /** Links into one policy neuron of a network with so many inputs. */
+    int linksInto(int inputs) {
+        return isSelective ? linksPerOutput : inputs;
+    }
+}

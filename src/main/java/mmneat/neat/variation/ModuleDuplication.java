@@ -1,0 +1,65 @@
+package mmneat.neat.variation;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import mmneat.neat.ActivationFunction;
+import mmneat.neat.GenePool;
+import mmneat.neat.GenotypeDraft;
+import mmneat.neat.LinkGene;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.NodeGene;
+import mmneat.neat.NodeType;
+import mmneat.random.ResumableRandom;
+
+/**
+ * MM(D): adds a module whose policy neurons have the incoming links of a random module's, so that it answers like that module
+ * until it is mutated, and a preference neuron of its own.
+ *
+ * <p>Quirk: the new neurons stand last, so a link that was recurrent for the old neuron can act at once for the new one.
+ *
+ * <p>Source: Schrum and Miikkulainen 2016, section 3.2; docs/specification/networks.md, section 8.5.
+ */
+record ModuleDuplication(ActivationFunction activation) implements MutationOperator {
+
+    @Override
+    public String logName() {
+        return "MMD";
+    }
+
+    @Override
+    public boolean apply(GenotypeDraft offspring, GenePool pool, ResumableRandom random) {
+        NewModule module = NewModule.begin(offspring, pool, random, activation);
+        ModuleLayout layout = offspring.layout();
+        int original = random.nextInt(offspring.modules());
+        long[] policyNeurons = new long[layout.policyNeuronsPerModule()];
+        for (int i = 0; i < policyNeurons.length; i++) {
+            policyNeurons[i] =
+                    offspring.output(layout.policyOutput(original, i)).innovation();
+        }
+        for (long policyNeuron : policyNeurons) {
+            duplicate(policyNeuron, offspring, pool);
+        }
+        module.finishWithPreferenceNeuron();
+        return true;
+    }
+
+    private void duplicate(long original, GenotypeDraft offspring, GenePool pool) {
+        Map<Long, LinkGene> incoming = new HashMap<>();
+        for (LinkGene link : offspring.links()) {
+            if (link.active() && link.target() == original) {
+                incoming.put(link.source(), link);
+            }
+        }
+        NodeGene copy = new NodeGene(offspring.nextOutputInnovation(pool), NodeType.OUTPUT, activation);
+        List<LinkGene> links = offspring.links();
+        for (NodeGene node : offspring.nodes()) {
+            LinkGene link = incoming.get(node.innovation());
+            if (link != null) {
+                long source = link.source() == original ? copy.innovation() : link.source();
+                links.add(new LinkGene(pool.takeInnovation(), source, copy.innovation(), link.weight(), false));
+            }
+        }
+        offspring.appendOutput(copy, pool);
+    }
+}

@@ -1,0 +1,69 @@
+package mmneat.neat.variation;
+
+import mmneat.neat.ActivationFunction;
+import mmneat.neat.GenePool;
+import mmneat.neat.GenotypeDraft;
+import mmneat.neat.LinkGene;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.NodeGene;
+import mmneat.neat.NodeType;
+import mmneat.random.ResumableRandom;
+
+/**
+ * A module that is being added to an offspring: its policy neurons are appended by the mutation, its preference neuron here.
+ *
+ * <p>Source: docs/specification/networks.md, section 8.5, steps 1, 4 and 5.
+ */
+final class NewModule {
+
+    private final GenotypeDraft offspring;
+    private final GenePool pool;
+    private final ResumableRandom random;
+    private final ActivationFunction activation;
+
+    private NewModule(GenotypeDraft offspring, GenePool pool, ResumableRandom random, ActivationFunction activation) {
+        this.offspring = offspring;
+        this.pool = pool;
+        this.random = random;
+        this.activation = activation;
+    }
+
+    /**
+     * Starts a module; a network of one module gets the preference neuron that it lacked.
+     *
+     * @throws IllegalStateException if the network is a multitask network, whose task would never use the new module
+     */
+    static NewModule begin(
+            GenotypeDraft offspring, GenePool pool, ResumableRandom random, ActivationFunction activation) {
+        ModuleLayout layout = offspring.layout();
+        if (layout.standardMultitask()) {
+            throw new IllegalStateException("genotype " + offspring.id()
+                    + ": module mutations need preference neurons, which multitask networks do not have");
+        }
+        NewModule module = new NewModule(offspring, pool, random, activation);
+        if (!layout.hasPreferenceNeurons()) {
+            module.appendPreferenceNeuron();
+        }
+        return module;
+    }
+
+    /** Ends the module with a preference neuron that has one link, from a random input or hidden neuron. */
+    void finishWithPreferenceNeuron() {
+        appendPreferenceNeuron();
+        offspring.addModule();
+    }
+
+    /** Ends a module all of whose outputs have been appended. */
+    void finish() {
+        offspring.addModule();
+    }
+
+    private void appendPreferenceNeuron() {
+        long source =
+                offspring.nodes().get(random.nextInt(offspring.firstOutput())).innovation();
+        long target = offspring.nextOutputInnovation(pool);
+        long innovation = pool.takeInnovation();
+        offspring.links().add(new LinkGene(innovation, source, target, Draws.smallWeight(random), false));
+        offspring.appendOutput(new NodeGene(target, NodeType.OUTPUT, activation), pool);
+    }
+}

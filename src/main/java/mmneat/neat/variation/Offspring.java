@@ -1,0 +1,29 @@
+package mmneat.neat.variation;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.OptionalLong;
+import mmneat.neat.Genotype;
+
+/**
+ * A child and how it came to be.
+ *
+ * @param genotype the child, mutated
+ * @param firstParent id of the first parent; of a child of two, the one named first in the original's lineage log, whichever
+ *     of the two gave the structure
+ * @param secondParent id of the other parent, if there was a crossover
+ * @param mutations names of the mutations that were performed, in order, as in the original's log of mutations
+ */
+public record Offspring(Genotype genotype, long firstParent, OptionalLong secondParent, List<String> mutations) {
+
+    /**
+     * A child with a copy of the names.
+     *
+     * @throws NullPointerException if a part is missing; the message names it
+     */
+    public Offspring {
+        Objects.requireNonNull(genotype, "genotype");
+        Objects.requireNonNull(secondParent, "secondParent");
+        mutations = List.copyOf(Objects.requireNonNull(mutations, "mutations"));
+    }
+}

@@ -1,0 +1,101 @@
+package mmneat.neat.variation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.OptionalLong;
+import mmneat.neat.GenePool;
+import mmneat.neat.Genotype;
+import mmneat.neat.GenotypeDraft;
+import mmneat.neat.ModuleLayout;
+import mmneat.random.ResumableRandom;
+
+/**
+ * Makes offspring from parents: copy, crossover, mutation. Parents are left as they are; innovations, ids and the archetype
+ * advance in the gene pool. A pool and its genotypes belong together: parents of another pool are refused as far as they can
+ * be told.
+ *
+ * <p>Source: docs/specification/networks.md, sections 7 to 10; docs/specification/evolution.md, section 2.4.
+ */
+public final class Reproduction {
+
+    private final GenePool pool;
+    private final Crossover crossover;
+    private final OffspringMutation mutation;
+
+    /**
+     * Reproduction of the genotypes of a pool.
+     *
+     * @throws NullPointerException if one of them is missing
+     */
+    public Reproduction(VariationSettings settings, GenePool pool) {
+        this.pool = Objects.requireNonNull(pool, "pool");
+        Objects.requireNonNull(settings, "settings");
+        this.crossover = new Crossover(settings.crossoverExcessRate());
+        this.mutation = new OffspringMutation(settings);
+    }
+
+    /**
+     * A mutated copy of one parent.
+     *
+     * @throws IllegalArgumentException if the parent has genes that are not of this pool
+     * @throws IllegalStateException if a module is to be added to a multitask network
+     */
+    public Offspring fromOne(Genotype parent, ResumableRandom random) {
+        pool.requireOwn(parent);
+        GenotypeDraft copy = GenotypeDraft.copyOf(parent, pool.takeGenotypeId());
+        return finish(copy, parent.id(), OptionalLong.empty(), random);
+    }
+
+    /**
+     * The children of two parents, who may be the same. The child with the second parent's structure comes first; if there is
+     * room for one child only, it is dropped before it is mutated, as in the original.
+     *
+     * @param room how many children are wanted, at least 1; more than 2 counts as 2
+     * @throws IllegalArgumentException if there is no room, a parent has genes that are not of this pool, or one is a multitask
+     *     network and the other is not, or they differ in the number of inputs or of policy neurons per module
+     * @throws IllegalStateException if a module is to be added to a multitask network
+     */
+    public List<Offspring> fromTwo(Genotype first, Genotype second, int room, ResumableRandom random) {
+        if (room < 1) {
+            throw new IllegalArgumentException("room must be at least 1, is " + room);
+        }
+        requireAlike(first, second);
+        pool.requireOwn(first);
+        pool.requireOwn(second);
+        GenotypeDraft firstChild = GenotypeDraft.copyOf(first, pool.takeGenotypeId());
+        // The original copies the second parent, which takes an id, and makes the child from that copy under another.
+        pool.takeGenotypeId();
+        GenotypeDraft secondChild = GenotypeDraft.copyOf(second, pool.takeGenotypeId());
+        crossover.cross(firstChild, secondChild, pool.archetype(), random);
+
+        List<Offspring> children = new ArrayList<>(2);
+        if (room > 1) {
+            children.add(finish(secondChild, first.id(), OptionalLong.of(second.id()), random));
+        }
+        children.add(finish(firstChild, first.id(), OptionalLong.of(second.id()), random));
+        return children;
+    }
+
+    private static void requireAlike(Genotype first, Genotype second) {
+        requireEqual("inputs", first.inputs(), second.inputs());
+        ModuleLayout layout = first.layout();
+        ModuleLayout other = second.layout();
+        requireEqual("policy neurons per module", layout.policyNeuronsPerModule(), other.policyNeuronsPerModule());
+        if (layout.standardMultitask() != other.standardMultitask()) {
+            throw new IllegalArgumentException("a multitask network cannot be crossed with one that is not");
+        }
+    }
+
+    private static void requireEqual(String what, int first, int second) {
+        if (first != second) {
+            throw new IllegalArgumentException(
+                    "parents must have equally many " + what + ", have " + first + " and " + second);
+        }
+    }
+
+    private Offspring finish(GenotypeDraft child, long firstParent, OptionalLong secondParent, ResumableRandom random) {
+        List<String> mutations = mutation.apply(child, pool, random);
+        return new Offspring(child.finish(), firstParent, secondParent, mutations);
+    }
+}

@@ -1,0 +1,102 @@
+package mmneat.experiment.parameters;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import mmneat.CompiledClasses;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.sensors.Observation;
+import mmneat.mspacman.sensors.Sensor;
+import mmneat.mspacman.sensors.SensorSuite;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Sensors of a user's own, in a jar and on the class path; OwnTask's are tested with the experiments. */
+class OwnClassesTest {
+
+    @TempDir
+    Path folder;
+
+    /** A sensor on the class path. */
+    public static class Always implements Sensor {
+        @Override
+        public String label() {
+            return "Always";
+        }
+
+        @Override
+        public double sense(Observation observation) {
+            return 1;
+        }
+    }
+
+    /** A sensor that cannot be made. */
+    public static final class Broken extends Always {
+        public Broken() {
+            throw new IllegalStateException("no day for sensing");
+        }
+    }
+
+    private static List<String> labels(String... words) {
+        MsPacManTask task = (MsPacManTask) Tasks.factory(new ParameterReader(ParameterCatalogue.load())
+                        .read(List.of(words))
+                        .parameters())
+                .get();
+        return SensorSuite.of(task.settings().sensors()).labels(-1);
+    }
+
+    private static void assertMistake(String message, String... words) {
+        assertThatThrownBy(() -> labels(words)).isInstanceOf(UserError.class).hasMessage(message);
+    }
+
+    private Path jar() throws IOException {
+        Path classes = CompiledClasses.compile(
+                folder,
+                System.getProperty("java.class.path"),
+                "package my; public final class NearExit implements mmneat.mspacman.sensors.Sensor {"
+                        + " public String label() { return \"Near Exit\"; }"
+                        + " public boolean isDirectional() { return false; }"
+                        + " public double sense(mmneat.mspacman.sensors.Observation observation) { return Half.of(); } }",
+                "package my; final class Half { static double of() { return 0.5; } }");
+        return CompiledClasses.jar(classes, folder.resolve("my-sensors.jar"));
+    }
+
+    @Test
+    void sensorsOfAJar_andOfTheClassPath_followTheOthers() throws IOException {
+        List<String> labels =
+                labels("task=blended", "jar=" + jar(), "ownSensors=my.NearExit, " + Always.class.getName());
+        assertThat(labels).hasSize(32).endsWith("Near Exit", "Always in dir -1");
+    }
+
+    @Test
+    void unusableSensor_isAMistakeThatNamesIt() throws IOException {
+        assertMistake(
+                "ownSensors=my.NearExit: there is no such class; name its jar with jar=FILE",
+                "task=blended",
+                "ownSensors=my.NearExit");
+        Path jar = jar();
+        assertMistake(
+                "ownSensors=my.Nothing: there is no such class in " + jar,
+                "task=blended",
+                "jar=" + jar,
+                "ownSensors=my.Nothing");
+        assertMistake(
+                "ownSensors=java.lang.String: the class must implement " + Sensor.class.getName(),
+                "task=blended",
+                "ownSensors=java.lang.String");
+        assertMistake(
+                "ownSensors=" + Broken.class.getName()
+                        + ": cannot be made: java.lang.IllegalStateException: no day for sensing",
+                "task=blended",
+                "ownSensors=" + Broken.class.getName());
+        assertMistake(
+                "jar=none.jar: there is no such file that can be read",
+                "task=blended",
+                "jar=none.jar",
+                "ownSensors=my.NearExit");
+    }
+}

@@ -1,0 +1,140 @@
+package mmneat.experiment.parameters;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import mmneat.evolution.Evaluation;
+import mmneat.evolution.Task;
+import mmneat.experiment.UserError;
+import mmneat.experiment.run.Experiment;
+import mmneat.experiment.run.ExperimentPlan;
+import mmneat.experiment.run.RunPlan;
+import mmneat.experiment.store.RunParametersFile;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What a task of somebody's own must be before a run begins. */
+class OwnTaskTest {
+
+    /** A task of the shape that its parameters say; by default it has one of everything. */
+    public static final class Shaped implements Task {
+        private final Map<String, String> parameters;
+
+        public Shaped(Map<String, String> parameters) {
+            this.parameters = parameters;
+        }
+
+        private int count(String name) {
+            return Integer.parseInt(parameters.getOrDefault(name, "1"));
+        }
+
+        @Override
+        public List<String> objectiveNames() {
+            return Collections.nCopies(count("objectives"), "Score");
+        }
+
+        @Override
+        public double[] referencePoint() {
+            return new double[count("referencePoint")];
+        }
+
+        @Override
+        public List<String> inputLabels() {
+            return Collections.nCopies(count("labels"), "Input");
+        }
+
+        @Override
+        public int inputs() {
+            return count("inputs");
+        }
+
+        @Override
+        public int policyNeuronsPerModule() {
+            return count("outputs");
+        }
+
+        @Override
+        public int trials() {
+            return count("trials");
+        }
+
+        @Override
+        public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+            throw new UnsupportedOperationException();
+        }
+    }
+
+    private static ParameterReader.Result read(String... words) {
+        return new ParameterReader(ParameterCatalogue.load())
+                .read(Stream.concat(Stream.of("task=" + Shaped.class.getName()), Arrays.stream(words))
+                        .toList());
+    }
+
+    private static Experiment experiment(String... words) {
+        return new Experiment(ExperimentPlan.of(read(words).parameters()));
+    }
+
+    @Test
+    void taskOfOneOfEverything_isGood() {
+        assertThat(experiment().monitors()).hasSize(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "objectives=0; names no objective; referencePoint=0",
+                "objectives=2; referencePoint() must give 2 numbers, one for each objective, gives 1; inputs=1",
+                "labels=0; must have at least one input and a label for each, has 0 inputs and 0 labels; inputs=0",
+                "labels=2; must have at least one input and a label for each, has 1 inputs and 2 labels; inputs=1",
+                "outputs=0; policyNeuronsPerModule() must be at least 1, is 0; inputs=1",
+                "trials=0; trials() must be at least 1, is 0; inputs=1"
+            })
+    void taskWithNothingToEvolve_isRefusedAtTheStart(String word, String message, String other) {
+        assertThatThrownBy(() -> experiment("task." + word, "task." + other))
+                .isInstanceOf(UserError.class)
+                .hasMessageStartingWith("task=" + Shaped.class.getName() + ": ")
+                .hasMessageContaining(message)
+                .message()
+                .doesNotContain("\n");
+    }
+
+    @Test
+    void parametersOfTheGame_areRemarkedUpon() {
+        assertThat(read("trials=1", "edibleTime=100", "disabledMode=-1", "mu=7", "multitaskModes=2")
+                        .remarks())
+                .containsExactly("no effect on task=" + Shaped.class.getName()
+                        + ": trials, edibleTime, disabledMode (for Ms. Pac-Man alone;"
+                        + " parameters of a task of your own are called task.NAME)");
+        assertThat(read("method=2M", "mu=7", "task.trials=3").remarks()).isEmpty();
+    }
+
+    @Test
+    void fileOfARun_isRemarkedUpon_onlyForWhatSomebodyAskedFor(@TempDir Path folder) throws IOException {
+        RunPlan plain = ExperimentPlan.of(read("mu=7").parameters()).runs().get(0);
+        new RunParametersFile(folder).write(plain.parameters());
+        String config = "config=" + folder.resolve("parameters.properties");
+        assertThat(read(config).remarks()).isEmpty();
+        RunPlan idle =
+                ExperimentPlan.of(read("highLevel=false").parameters()).runs().get(0);
+        new RunParametersFile(folder).write(idle.parameters());
+        assertThat(read(config).remarks()).singleElement().asString().contains(": highLevel (");
+        assertThat(read(config).parameters().flag("highLevel")).isFalse();
+    }
+
+    @Test
+    void usageForNewModeOfZero_isAGateThatNeverOpens() {
+        assertThat(experiment("method=MMD", "usageForNewMode=0").monitors()).hasSize(1);
+    }
+}

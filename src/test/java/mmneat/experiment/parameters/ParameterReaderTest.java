@@ -1,0 +1,260 @@
+package mmneat.experiment.parameters;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import mmneat.experiment.UserError;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ParameterReaderTest {
+
+    private final ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
+
+    private Parameters read(String... words) {
+        return reader.read(List.of(words)).parameters();
+    }
+
+    private void assertMistake(String message, String... words) {
+        assertThatThrownBy(() -> read(words))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining(message)
+                .message()
+                .doesNotContain("\n");
+    }
+
+    @Test
+    void taskAlone_meansTwoModulesWithThePapersSettings() {
+        Parameters parameters = read("task=blended");
+        assertThat(parameters.text("method")).isEqualTo("2M");
+        assertThat(parameters.integer("startingModes")).isEqualTo(2);
+        assertThat(parameters.integer("mu")).isEqualTo(100);
+        assertThat(parameters.integer("maxGens")).isEqualTo(200);
+        assertThat(parameters.integer("trials")).isEqualTo(10);
+        assertThat(parameters.flag("mating")).isTrue();
+    }
+
+    @Test
+    void layers_laterOnesWin(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "# mine\ntask=interleaved\nmu=20\ntrials: 3\n");
+        Parameters parameters = read("config=" + config, "mu:30");
+        assertThat(parameters.integer("mu")).isEqualTo(30);
+        assertThat(parameters.integer("trials")).isEqualTo(3);
+        assertThat(parameters.flag("imprisonedWhileEdible")).isTrue();
+        assertThat(parameters.integer("lairTime")).isEqualTo(40);
+        assertThat(parameters.isGiven("lairTime")).isFalse();
+    }
+
+    @Test
+    void methodOfTheCommandLine_isNotMadeAnotherByTheFile(@TempDir Path folder) throws IOException {
+        String twoModules = "config=configs/blended/2M.properties";
+        assertMistake(
+                "startingModes=2 in " + twoModules + " contradicts method=MMD, which means startingModes=1",
+                twoModules,
+                "task=blended",
+                "method=MMD");
+        assertMistake("contradicts method=1M", twoModules, "task=com.example.Xor", "method=1M");
+        Path nameless = Files.writeString(folder.resolve("nameless.properties"), "mmdRate=0.1\n");
+        assertMistake(
+                "mmdRate=0.1 in config=" + nameless + " contradicts task=blended without a method,"
+                        + " which means mmdRate=0.0: give the file's method with method=NAME",
+                "config=" + nameless,
+                "task=blended");
+        assertThat(read(twoModules, "task=blended", "method=2M").integer("startingModes"))
+                .isEqualTo(2);
+        assertThat(read(twoModules, "task=com.example.Xor").integer("startingModes"))
+                .isEqualTo(2);
+        Parameters both = read(twoModules, "task=blended", "method=MMD", "startingModes=2");
+        assertThat(both.number("mmdRate")).isEqualTo(0.1);
+    }
+
+    @Test
+    void eachPublishedFile_isItsExperiment() {
+        for (String task : PublishedConfigurations.tasks()) {
+            for (String method : PublishedConfigurations.methodsOf(task)) {
+                String config = "config=configs/" + task + "/" + method + ".properties";
+                assertThat(withoutConfig(read(config)))
+                        .as(config)
+                        .isEqualTo(withoutConfig(read("task=" + task, "method=" + method)));
+            }
+        }
+    }
+
+    private static Map<String, String> withoutConfig(Parameters parameters) {
+        Map<String, String> values = new TreeMap<>(parameters.values());
+        values.remove("config");
+        return values;
+    }
+
+    @Test
+    void taskOfTheCommandLine_isNotMadeAnotherByTheFile() {
+        assertMistake(
+                "removePillsNearPowerPills=true in config=configs/isolated/2M.properties contradicts task=blended",
+                "config=configs/isolated/2M.properties",
+                "task=blended");
+        assertMistake("contradicts task=interleaved", "config=configs/blended/2M.properties", "task=interleaved");
+    }
+
+    @Test
+    void fileOfTheSameTaskAndMethod_mayChangeThem(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "task=blended\nmethod=mmd\nstartingModes=2\n");
+        List<List<String>> named = List.of(
+                List.of(), List.of("method=MMD"), List.of("task=blended"), List.of("task=blended", "method=MMD"));
+        for (List<String> words : named) {
+            List<String> all = new ArrayList<>(words);
+            all.add("config=" + config);
+            assertThat(read(all.toArray(String[]::new)).integer("startingModes"))
+                    .as("%s", words)
+                    .isEqualTo(2);
+        }
+    }
+
+    @Test
+    void namesOfMethodsAndTasks_areThoseInWhichThePublishedOnesDiffer() {
+        Map<String, Set<String>> ofMethods = new TreeMap<>();
+        Map<String, Set<String>> ofTasks = new TreeMap<>();
+        for (String task : PublishedConfigurations.tasks()) {
+            Map<String, Set<String>> ofTask = new TreeMap<>();
+            for (String method : PublishedConfigurations.methodsOf(task)) {
+                read("task=" + task, "method=" + method).values().forEach((name, value) -> ofTask.computeIfAbsent(
+                                name, unused -> new TreeSet<>())
+                        .add(value));
+            }
+            ofTask.forEach((name, values) -> (values.size() > 1 ? ofMethods : ofTasks)
+                    .computeIfAbsent(name, unused -> new TreeSet<>())
+                    .addAll(values));
+        }
+        ofTasks.keySet().removeAll(ofMethods.keySet());
+        ofTasks.values().removeIf(values -> values.size() == 1);
+        ofMethods.remove("method");
+        ofTasks.remove("task");
+        assertThat(PublishedConfigurations.NAMES_OF_METHODS).containsExactlyInAnyOrderElementsOf(ofMethods.keySet());
+        assertThat(PublishedConfigurations.NAMES_OF_TASKS).containsExactlyInAnyOrderElementsOf(ofTasks.keySet());
+    }
+
+    @Test
+    void unknownName_namesTheNearest() {
+        assertMistake("unknown parameter 'maxGen' (did you mean 'maxGens'?)", "task=blended", "maxGen=3");
+        assertMistake("did you mean 'config'", "confg=x");
+    }
+
+    @Test
+    void badValue_namesParameterValueAndWhatIsAllowed() {
+        assertMistake("mu=many: must be a whole number from 1 to 100000", "task=blended", "mu=many");
+        assertMistake("mu=0: must be a whole number from 1 to 100000", "task=blended", "mu=0");
+        assertMistake("crossoverRate=1.5: must be a number from 0.0 to 1.0", "task=blended", "crossoverRate=1.5");
+        assertMistake("crossoverRate=NaN: must be", "task=blended", "crossoverRate=NaN");
+        assertMistake("mating=yes: must be true or false", "task=blended", "mating=yes");
+        assertMistake("method=4M: must be one of 1M, 2M", "task=blended", "method=4M");
+    }
+
+    @Test
+    void unsupportedParameter_isAnErrorUnlessItIsTheDefault() {
+        assertMistake("parameter 'periodicDeltaCoding' is not supported", "task=blended", "periodicDeltaCoding=true");
+        assertThat(read("task=blended", "periodicDeltaCoding=false").flag("periodicDeltaCoding"))
+                .isFalse();
+    }
+
+    @Test
+    void mistakeInAFile_saysWhichFile(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "task=blended\nmu=-1\n");
+        assertMistake("mine.properties: mu=-1: must be", "config=" + config);
+        assertMistake("cannot be read", "config=" + folder.resolve("none"));
+    }
+
+    @Test
+    void fileInAnotherEncoding_saysWhichLine(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "task=blended\nmu=3\n# für uns\n", StandardCharsets.ISO_8859_1);
+        assertMistake("mine.properties: line 3 is not UTF-8", "config=" + config);
+        Files.writeString(config, "\uFEFFtask=blended\nmu=3\n# für uns\n");
+        assertThat(read("config=" + config).integer("mu")).isEqualTo(3);
+    }
+
+    @Test
+    void parameterTwiceInAFile_isAMistake(@TempDir Path folder) throws IOException {
+        Path config = folder.resolve("mine.properties");
+        Files.writeString(config, "task=blended\nmu=3\nmu=4\n");
+        assertMistake("mine.properties: 'mu' is given twice", "config=" + config);
+    }
+
+    @Test
+    void ghostLocations_ofAnotherTaskThanTheIsolated_areRemarkedUpon() {
+        List<String> words = List.of("task=blended", "mazePowerPillGhostMapping=mine.txt");
+        assertThat(reader.read(words).remarks())
+                .singleElement()
+                .asString()
+                .startsWith("mazePowerPillGhostMapping has no effect");
+        assertThat(reader.read(List.of("task=isolated", words.get(1))).remarks())
+                .isEmpty();
+    }
+
+    @Test
+    void task_missingOrUnknown_saysWhichThereAre() {
+        assertMistake("task is missing; give it as task=blended|interleaved|isolated", "mu=3");
+        assertMistake("task=blend: must be one of blended, interleaved, isolated", "task=blend");
+    }
+
+    @Test
+    void method_ofAnotherTask_saysWhichGoWithThisOne() {
+        assertMistake("its methods are 1M, 2M, 3M, MMD, MT2, MT3", "task=blended", "method=MT");
+    }
+
+    @Test
+    void method_isTheSameInUpperAndLowerCase() {
+        assertThat(read("task=blended", "method=mmd").number("mmdRate")).isEqualTo(0.1);
+    }
+
+    @Test
+    void equalsSign_takesTheWholeRest_colonTakesThePieceUpToTheNext() {
+        assertThat(read("task=blended", "base=C:\\runs").text("base")).isEqualTo("C:\\runs");
+        assertThat(read("task=blended", "base:C:\\runs").text("base")).isEqualTo("C");
+        assertThat(read("task=blended", "base=").text("base")).isEmpty();
+        assertMistake("'base:' has no value", "task=blended", "base:");
+    }
+
+    @Test
+    void colonForm_ofANonBoolean_isRemarkedUpon() {
+        ParameterReader.Result result = reader.read(List.of("task=blended", "mating:yes"));
+        assertThat(result.parameters().flag("mating")).isFalse();
+        assertThat(result.remarks()).singleElement().asString().contains("mating:yes", "mating=false");
+    }
+
+    @Test
+    void wordGivenTwice_differently_isAMistake() {
+        assertMistake("'mu' is given twice, as 3 and as 4", "task=blended", "mu=3", "mu=4");
+        assertThat(read("task=blended", "mu=3", "mu:3").integer("mu")).isEqualTo(3);
+    }
+
+    @Test
+    void ownTasksParameters_areForOwnTasksOnly() {
+        assertMistake("unknown parameter 'task.noise'", "task=blended", "task.noise=3");
+        assertThat(read("task=com.example.Xor", "task.noise=3").ofOwnTask()).containsEntry("noise", "3");
+    }
+
+    @Test
+    void modesOfTheOriginalsFirstArgument_sayWhatTheyAreHere() {
+        assertMistake("runs=30", "multiple:30", "task=blended");
+        assertMistake("another command", "process:30");
+        assertMistake("parameters are written name=value", "blended");
+    }
+
+    @Test
+    void values_bindToARecord() {
+        record Some(int mu, boolean mating, double crossoverRate, String log) {}
+        assertThat(read("task=blended", "mu=3", "log=x").as(Some.class)).isEqualTo(new Some(3, true, 0.5, "x"));
+    }
+}

@@ -1,0 +1,138 @@
+package mmneat.experiment.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.ParameterCatalogue;
+import mmneat.experiment.parameters.ParameterReader;
+import mmneat.experiment.store.RunParametersFile;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ExperimentPlanTest {
+
+    private final ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
+
+    private ExperimentPlan plan(String... words) {
+        return ExperimentPlan.of(reader.read(List.of(words)).parameters());
+    }
+
+    @Test
+    void thirtyRuns_areRuns0To29WithSeeds0To29() {
+        ExperimentPlan plan = plan("task=blended", "runs=30");
+        assertThat(plan.runs()).extracting(RunPlan::number).isEqualTo(range());
+        assertThat(plan.runs()).extracting(RunPlan::seed).isEqualTo(range());
+        assertThat(plan.name()).isEqualTo("blended-2M");
+        assertThat(plan.runs().get(7).directory()).isEqualTo(Path.of("results", "blended", "2M7"));
+        assertThat(plan.runs().get(7).prefix()).isEqualTo("blended-2M7_");
+        assertThat(plan.runs().get(7).generations()).isEqualTo(200);
+    }
+
+    private static List<Integer> range() {
+        return IntStream.range(0, 30).boxed().toList();
+    }
+
+    @Test
+    void oneRunOfMany_isTheSameAsAmongMany() {
+        RunPlan alone = plan("task=blended", "run=7").runs().get(0);
+        RunPlan among = plan("task=blended", "runs=30").runs().get(7);
+        assertThat(alone.directory()).isEqualTo(among.directory());
+        assertThat(alone.seed()).isEqualTo(among.seed());
+        assertThat(alone.prefix()).isEqualTo(among.prefix());
+    }
+
+    @Test
+    void originalCommandLine_hasTheOriginalsPlaces() {
+        RunPlan run = plan(
+                        "runNumber:3",
+                        "randomSeed:5",
+                        "base:onelifeconflict",
+                        "task:edu.southwestern.tasks.mspacman.MsPacManTask",
+                        "log:OneLifeConflict-MMD",
+                        "saveTo:MMD",
+                        "mmdRate:0.1")
+                .runs()
+                .get(0);
+        assertThat(run.number()).isEqualTo(3);
+        assertThat(run.seed()).isEqualTo(5);
+        assertThat(run.directory()).isEqualTo(Path.of("onelifeconflict", "MMD3"));
+        assertThat(run.prefix()).isEqualTo("OneLifeConflict-MMD3_");
+    }
+
+    @Test
+    void originalTaskWithoutPlaces_goesWhereTheShortFormGoes() {
+        ExperimentPlan plan = plan("task:MsPacManTask", "imprisonedWhileEdible:true", "multitaskModes:2");
+        assertThat(plan.runs().get(0).directory()).isEqualTo(Path.of("results", "interleaved", "MT20"));
+    }
+
+    @Test
+    void oneSeedForManyRuns_isAMistake() {
+        assertThatThrownBy(() -> plan("task=blended", "runs=2", "randomSeed=3"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("2 equal runs");
+        assertThatThrownBy(() -> plan("task=blended", "runs=2", "run=1"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("'run' and 'runs'");
+    }
+
+    @Test
+    void savedParameters_describeTheSameRun(@TempDir Path folder) throws IOException {
+        for (String[] words : new String[][] {
+            {"task=blended", "run=7", "mu=10", "base=" + folder},
+            {"task=interleaved", "method=MT", "runs=3", "base=" + folder, "mazePowerPillGhostMapping=a b\\c:\u00e9=.txt"
+            },
+            {"task:MsPacManTask", "mating:true", "imprisonedWhileEdible:true", "base=" + folder, "log:x"},
+            {"task=com.example.Xor", "jar=x.jar", "task.noise=3", "method=3M", "base=" + folder}
+        }) {
+            RunPlan run = plan(words).runs().get(0);
+            RunParametersFile file = new RunParametersFile(folder);
+            file.write(run.parameters());
+            RunPlan again = plan("config=" + folder.resolve("parameters.properties"))
+                    .runs()
+                    .get(0);
+            file.requireSame(again.parameters());
+            assertThat(again.number()).isEqualTo(run.number());
+            assertThat(again.seed()).isEqualTo(run.seed());
+            assertThat(again.directory()).isEqualTo(run.directory());
+            assertThat(again.prefix()).isEqualTo(run.prefix());
+            assertThat(again.parameters().text("mazePowerPillGhostMapping"))
+                    .isEqualTo(run.parameters().text("mazePowerPillGhostMapping"));
+            assertThat(again.parameters().ofOwnTask())
+                    .isEqualTo(run.parameters().ofOwnTask());
+        }
+    }
+
+    @Test
+    void savedParametersOfOneRun_serveForOtherRuns(@TempDir Path folder) throws IOException {
+        new RunParametersFile(folder)
+                .write(plan("task=blended", "run=7", "mu=10").runs().get(0).parameters());
+        ExperimentPlan plan = plan("config=" + folder.resolve("parameters.properties"), "runs=3");
+        assertThat(plan.runs()).extracting(RunPlan::seed).containsExactly(0, 1, 2);
+        assertThat(plan.parameters().integer("mu")).isEqualTo(10);
+    }
+
+    @Test
+    void continuingWithOtherParameters_isAMistakeThatNamesThem(@TempDir Path folder) throws IOException {
+        RunParametersFile file = new RunParametersFile(folder);
+        file.write(plan("task=blended", "mu=10").runs().get(0).parameters());
+        assertThatThrownBy(() ->
+                        file.requireSame(plan("task=blended").runs().get(0).parameters()))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("begun with mu=10 (now 100)");
+        assertThatThrownBy(() -> file.requireSame(
+                        plan("task=interleaved", "mu=10").runs().get(0).parameters()))
+                .hasMessageContainingAll("task=blended (now interleaved)", "imprisonedWhileEdible=false (now true)");
+        assertThatCode(() ->
+                        file.requireSame(plan("task=blended", "mu=10", "maxGens=300", "threads=1", "base=elsewhere")
+                                .runs()
+                                .get(0)
+                                .parameters()))
+                .doesNotThrowAnyException();
+    }
+}

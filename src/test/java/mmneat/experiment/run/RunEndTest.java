@@ -1,0 +1,266 @@
+package mmneat.experiment.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import mmneat.evolution.Evaluation;
+import mmneat.evolution.SmallTask;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.ParameterCatalogue;
+import mmneat.experiment.parameters.ParameterReader;
+import mmneat.experiment.store.Checkpoint;
+import mmneat.experiment.store.CheckpointFile;
+import mmneat.experiment.store.RunStatus;
+import mmneat.neat.Genotype;
+import mmneat.random.ResumableRandom;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Runs that fail, are interrupted, or are asked for what cannot be. */
+class RunEndTest {
+
+    private static final int MU = 3;
+
+    /** What happens in evaluations, by their number in this process, and when somebody asks for a champion's score. */
+    private static volatile Evaluating evaluating;
+
+    private static volatile Runnable scoring;
+
+    /** The evaluation that gives no number. */
+    private static volatile int withoutScore;
+
+    @TempDir
+    Path folder;
+
+    private interface Evaluating {
+        void begin(int evaluation);
+    }
+
+    /** A task to which things happen. */
+    public static final class EventfulTask extends SmallTask {
+        private int evaluations;
+
+        @Override
+        public double championScore(Evaluation evaluation) {
+            scoring.run();
+            return evaluation.objectives()[0];
+        }
+
+        @Override
+        public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+            double score = evaluations == withoutScore ? Double.NaN : random.nextDouble();
+            evaluating.begin(evaluations++);
+            return new Evaluation(
+                    new double[] {score}, new double[0], new int[genotype.modules()], Evaluation.Outcomes.NONE);
+        }
+    }
+
+    @AfterEach
+    void nothingHappensAnyMore() {
+        uneventful();
+    }
+
+    private static void uneventful() {
+        evaluating = evaluation -> {};
+        scoring = () -> {};
+        withoutScore = -1;
+    }
+
+    RunEndTest() {
+        uneventful();
+    }
+
+    private Experiment experiment(String... words) {
+        List<String> all =
+                new ArrayList<>(List.of("task=" + EventfulTask.class.getName(), "mu=" + MU, "base=" + folder));
+        all.addAll(Arrays.asList(words));
+        return new Experiment(ExperimentPlan.of(
+                new ParameterReader(ParameterCatalogue.load()).read(all).parameters()));
+    }
+
+    private RunOutcome run(String... words) throws InterruptedException {
+        return experiment(words).run().get(0);
+    }
+
+    private Path file(String name) {
+        return folder.resolve("1M0").resolve(name);
+    }
+
+    private RunStatus status() throws IOException {
+        return RunStatus.read(folder.resolve("1M0")).orElseThrow();
+    }
+
+    /** Lets evaluations fail when so many generations are complete. */
+    private static void failAfter(int generations) {
+        evaluating = evaluation -> {
+            if (evaluation >= 2 * MU * generations) {
+                throw new IllegalStateException("broken");
+            }
+        };
+    }
+
+    @Test
+    void failureOnContinuing_keepsHowFarTheRunHadCome() throws Exception {
+        run("maxGens=4");
+        RunStatus before = status();
+        Files.writeString(file("checkpoint.json.gz"), "x");
+        Files.writeString(file("checkpoint-previous.json.gz"), "y");
+        assertThat(run("maxGens=6").phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        assertThat(status().state()).isEqualTo(RunStatus.State.FAILED);
+        assertThat(status().generation()).isEqualTo(4);
+        assertThat(status().best()).isEqualTo(before.best());
+        assertThat(status().message()).contains("no whole checkpoint");
+    }
+
+    @Test
+    void failureWithoutTheLock_leavesTheStatusAlone() throws Exception {
+        run("maxGens=2");
+        String before = Files.readString(file("status.json"));
+        // No lock can be made or read here.
+        Files.createDirectory(file("lock.json"));
+        RunOutcome outcome = run("maxGens=3");
+        assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        assertThat(outcome.message()).startsWith("cannot write or read in ");
+        assertThat(file("status.json")).hasContent(before);
+    }
+
+    @Test
+    void failureAfterTheLockWasLost_leavesTheStatusAlone() throws Exception {
+        evaluating = evaluation -> {
+            if (evaluation >= 2 * MU) {
+                try {
+                    Files.writeString(file("status.json"), "another's");
+                    Files.delete(file("lock.json"));
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+                throw new IllegalStateException("broken");
+            }
+        };
+        RunOutcome outcome = run("maxGens=3");
+        assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        assertThat(outcome.failure()).hasMessage("broken");
+        assertThat(file("status.json")).hasContent("another's");
+    }
+
+    @Test
+    void generationAfterTheLockWasLost_isNotWritten() throws Exception {
+        evaluating = evaluation -> {
+            if (evaluation == 2 * MU) {
+                try {
+                    Files.delete(file("lock.json"));
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+            }
+        };
+        RunOutcome outcome = run("maxGens=5");
+        assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.IN_USE);
+        assertThat(outcome.message()).contains("lock.json was deleted");
+        assertThat(status().generation()).isEqualTo(1);
+        assertThat(file("RunEndTest$EventfulTask-1M0_parents_gen1.txt")).doesNotExist();
+    }
+
+    @Test
+    void runThatIsContinued_hasTheNetworksOfItsCheckpoint_andACheckpointThatOutlivesTheMachine() throws Exception {
+        failAfter(3);
+        run("maxGens=5");
+        assertThat(file("gen3")).doesNotExist();
+        assertThat(checkpoint().wasForced()).isFalse();
+        failAfter(0);
+        run("maxGens=5");
+        assertThat(file("gen3").toFile().list()).hasSize(MU);
+        assertThat(file("gen1")).doesNotExist();
+        assertThat(checkpoint().wasForced()).isTrue();
+        assertThat(checkpoint().evolution().generation()).isEqualTo(3);
+    }
+
+    private Checkpoint checkpoint() throws IOException {
+        return new CheckpointFile(folder.resolve("1M0")).load().orElseThrow();
+    }
+
+    @Test
+    void scoreOfTheFinalParentsThatIsNoNumber_isAFailureThatNamesIt_andTheRunIsNotFinished() throws Exception {
+        withoutScore = 2 * MU * 2 + 1;
+        RunOutcome outcome = run("maxGens=2");
+        assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        assertThat(outcome.message())
+                .startsWith("task=" + EventfulTask.class.getName() + ": genotype ")
+                .endsWith(
+                        " in generation 2: the task gave NaN for the objective 'Score', which must be a finite number");
+        assertThat(outcome.failure()).isNull();
+        assertThat(status().isFinished(2)).isFalse();
+    }
+
+    @Test
+    void fewerGenerationsThanAreComplete_areAMistake_andNothingIsTouched() throws Exception {
+        failAfter(3);
+        assertThat(run("maxGens=5").phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        uneventful();
+        String before = Files.readString(file("parameters.properties"));
+        String message = folder.resolve("1M0") + " has completed 3 generations, more than maxGens=2; give maxGens=3 or"
+                + " more to continue it, or another folder with base=FOLDER";
+        assertThatThrownBy(() -> run("maxGens=2")).isInstanceOf(UserError.class).hasMessage(message);
+        Files.delete(file("status.json"));
+        RunOutcome withoutStatus = run("maxGens=2");
+        assertThat(withoutStatus.phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        assertThat(withoutStatus.message()).isEqualTo(message);
+        assertThat(file("parameters.properties")).hasContent(before);
+        assertThat(run("maxGens=3").phase()).isEqualTo(RunMonitor.Phase.FINISHED);
+    }
+
+    @Test
+    void interruptedExperiment_returnsWhenItsRunsHaveEnded() throws Exception {
+        CountDownLatch begun = new CountDownLatch(1);
+        evaluating = evaluation -> {
+            begun.countDown();
+            while (!Thread.currentThread().isInterrupted()) {
+                Thread.onSpinWait();
+            }
+            // An evaluation need not heed an interruption at once.
+            long end = System.nanoTime() + 300_000_000L;
+            while (System.nanoTime() < end) {
+                Thread.onSpinWait();
+            }
+        };
+        Experiment experiment = experiment("maxGens=2");
+        ExecutorService other = Executors.newSingleThreadExecutor();
+        Future<Boolean> leftLocked = other.submit(() -> {
+            try {
+                experiment.run();
+                throw new IllegalStateException("not interrupted");
+            } catch (InterruptedException e) {
+                return Files.exists(file("lock.json"));
+            }
+        });
+        begun.await();
+        other.shutdownNow();
+        assertThat(leftLocked.get()).isFalse();
+        assertThat(experiment.monitors().get(0).snapshot().phase()).isEqualTo(RunMonitor.Phase.STOPPED);
+    }
+
+    @Test
+    void interruptionInTheMidstOfWriting_isAStop_andTheRunGoesOn() throws Exception {
+        // Asked for in each generation when its row is written.
+        scoring = () -> Thread.currentThread().interrupt();
+        RunOutcome stopped = run("maxGens=3");
+        assertThat(stopped.phase()).isEqualTo(RunMonitor.Phase.STOPPED);
+        assertThat(stopped.message()).isEqualTo("stopped");
+        assertThat(status().state()).isEqualTo(RunStatus.State.RUNNING);
+        assertThat(file("lock.json")).doesNotExist();
+        uneventful();
+        assertThat(run("maxGens=3").phase()).isEqualTo(RunMonitor.Phase.FINISHED);
+    }
+}

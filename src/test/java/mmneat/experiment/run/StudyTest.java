@@ -1,0 +1,142 @@
+package mmneat.experiment.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.util.List;
+import mmneat.evolution.XorTask;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.ParameterCatalogue;
+import mmneat.experiment.parameters.ParameterReader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Several experiments that are asked for in one go. */
+class StudyTest {
+
+    private static Study study(String... words) {
+        return Study.of(List.of(words), ParameterCatalogue.load());
+    }
+
+    private static List<String> names(Study study) {
+        return study.parts().stream().map(part -> part.plan().name()).toList();
+    }
+
+    @Test
+    void wholeStudy_isTheSixteenPublishedExperiments() {
+        Study study = study("task=blended,interleaved,isolated", "method=all", "runs=30");
+        assertThat(names(study))
+                .containsExactly(
+                        "blended-1M",
+                        "blended-2M",
+                        "blended-3M",
+                        "blended-MMD",
+                        "blended-MT2",
+                        "blended-MT3",
+                        "interleaved-1M",
+                        "interleaved-2M",
+                        "interleaved-3M",
+                        "interleaved-MMD",
+                        "interleaved-MT",
+                        "isolated-1M",
+                        "isolated-2M",
+                        "isolated-3M",
+                        "isolated-MMD",
+                        "isolated-MT");
+        assertThat(study.remarks()).isEmpty();
+        assertThat(study.parts())
+                .allSatisfy(part -> assertThat(part.unfinishedRuns()).hasSize(30));
+    }
+
+    @Test
+    void listsOfTasksAndMethods_giveEveryCombination_tasksFirst() {
+        Study study = study("task=blended,interleaved,isolated", "method=1M,2M", "mu=7");
+        assertThat(names(study))
+                .containsExactly(
+                        "blended-1M", "blended-2M", "interleaved-1M", "interleaved-2M", "isolated-1M", "isolated-2M");
+        for (Study.Part part : study.parts()) {
+            assertThat(part.plan().parameters().integer("mu")).isEqualTo(7);
+            // The words alone describe the part: each job is given them.
+            assertThat(names(Study.of(part.words(), ParameterCatalogue.load())))
+                    .containsExactly(part.plan().name());
+        }
+    }
+
+    @Test
+    void listInTwoWords_orWithSpacesAndRepetitions_isOneList() {
+        assertThat(names(study("task=blended", "task=isolated,blended", "method= 2M, 1M ,2M")))
+                .containsExactly("blended-2M", "blended-1M", "isolated-2M", "isolated-1M");
+    }
+
+    @Test
+    void oneTaskWithoutAMethod_isTheDefaultMethod_asForTheMainJob() {
+        assertThat(names(study("task=interleaved"))).containsExactly("interleaved-2M");
+        assertThat(names(study("task=interleaved,isolated"))).containsExactly("interleaved-2M", "isolated-2M");
+    }
+
+    @Test
+    void methodOfOneVersionOnly_isLeftOutOfTheOthers_andSaidSo() {
+        Study study = study("task=blended,interleaved", "method=MT,MT2,1M");
+        assertThat(names(study)).containsExactly("blended-MT2", "blended-1M", "interleaved-MT", "interleaved-1M");
+        assertThat(study.remarks())
+                .containsExactly(
+                        "task=blended has no method MT (it has 1M, 2M, 3M, MMD, MT2, MT3): left out",
+                        "task=interleaved has no method MT2 (it has 1M, 2M, 3M, MMD, MT): left out");
+    }
+
+    @Test
+    void taskOfOnesOwn_isAStudyOfOneExperiment() {
+        String task = "task=" + XorTask.class.getName();
+        assertThat(names(study(task, "method=3M"))).containsExactly("XorTask-3M");
+    }
+
+    @Test
+    void whatCannotBe_isOneClearLine() {
+        requireMistake("method=MT does not go with task=blended; its methods are", "task=blended", "method=MT");
+        requireMistake("task=interleaved has no method MT3", "task=interleaved,isolated", "method=MT3,MT2");
+        requireMistake("method=4M: must be one of 1M", "task=blended", "method=4M");
+        requireMistake("method=4M: must be one of 1M", "task=blended,isolated", "method=4M,1M");
+        requireMistake("did you mean 'blended'?", "task=blendet,isolated");
+        requireMistake("task is missing", "method=1M,2M");
+        requireMistake("task is missing", "method=1M");
+        requireMistake("task is missing", "task=", "method=all");
+        requireMistake("a list takes blended", "task=" + XorTask.class.getName() + ",blended");
+        requireMistake("a list takes blended", "task=" + XorTask.class.getName(), "method=1M,2M");
+        requireMistake("unknown parameter 'tial'", "task=blended,isolated", "tial=3");
+    }
+
+    @Test
+    void experimentThatCannotBeCarriedOut_isAMistake_beforeAnyJobIsHandedOver() {
+        requireMistake("none.txt: cannot be read", "task=isolated", "mazePowerPillGhostMapping=none.txt");
+        requireMistake("mmdRate=0.2 does not go with multitaskModes=2", "task=interleaved", "method=MT", "mmdRate=0.2");
+        requireMistake("disabledMode=2: the networks have modules 0 to 1", "task=blended", "disabledMode=2");
+        requireMistake(
+                "softmaxTemperature=0: must be positive",
+                "task=blended",
+                "softmaxModeSelection=true",
+                "softmaxTemperature=0");
+        requireMistake(
+                "multitaskModes=2: MazeModeSelector chooses among 4 modules",
+                "task=interleaved",
+                "method=MT",
+                "pacmanMultitaskScheme=MazeModeSelector");
+    }
+
+    @Test
+    void completeRuns_areNotUnfinished(@TempDir Path folder) throws InterruptedException {
+        String[] words = {"task=" + XorTask.class.getName(), "mu=2", "maxGens=1", "runs=3", "base=" + folder};
+        Study study = study(words);
+        ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
+        words[3] = "run=1";
+        new Experiment(ExperimentPlan.of(reader.read(List.of(words)).parameters())).run();
+        assertThat(study.parts().get(0).unfinishedRuns()).containsExactly(0, 2);
+    }
+
+    private static void requireMistake(String message, String... words) {
+        assertThatThrownBy(() -> study(words))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining(message)
+                .hasMessageNotContaining("\n");
+    }
+}
