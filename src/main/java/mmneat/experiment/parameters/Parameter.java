@@ -1,8 +1,8 @@
 package mmneat.experiment.parameters;
 
-import mmneat.experiment.PlainText;
 import java.util.Locale;
 import mmneat.experiment.NearestName;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 
 /**

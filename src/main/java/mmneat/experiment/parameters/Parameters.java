@@ -1,6 +1,5 @@
 package mmneat.experiment.parameters;
 
-import mmneat.experiment.PlainText;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
 import java.io.IOException;
@@ -11,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import mmneat.experiment.PlainText;
 
 /**
  * A value for every parameter, all of them checked: the defaults, and over them what the layers gave.

@@ -7,8 +7,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import mmneat.GoldenData;
-import mmneat.experiment.parameters.ParameterCatalogue;
-import mmneat.experiment.parameters.ParameterReader;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
