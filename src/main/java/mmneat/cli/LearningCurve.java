@@ -22,7 +22,7 @@ final class LearningCurve {
     private LearningCurve() {}
 
     /**
-     * Writes {@code <name>_learning-curve.svg} and {@code .png} beside the folders of the complete runs.
+     * Writes {@code <name>_learning-curve.svg} beside the folders of the complete runs, and {@code .png} if this machine has fonts.
      *
      * @return the SVG file; empty if no run is complete
      */
@@ -43,7 +43,10 @@ final class LearningCurve {
         Figure figure = LearningCurveFigure.panels(experiment.version(), List.of(experiment), PublishedResults.read());
         Path svg = plan.base().resolve(plan.name() + "_learning-curve.svg");
         Files.writeString(svg, figure.svg());
-        Files.write(plan.base().resolve(plan.name() + "_learning-curve.png"), figure.png());
+        Optional<byte[]> png = figure.png();
+        if (png.isPresent()) {
+            Files.write(plan.base().resolve(plan.name() + "_learning-curve.png"), png.get());
+        }
         return Optional.of(svg);
     }
 }

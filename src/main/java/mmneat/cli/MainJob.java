@@ -15,6 +15,7 @@ import mmneat.experiment.run.Experiment;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunMonitor;
 import mmneat.experiment.run.RunOutcome;
+import pacman.game.MachineFonts;
 import picocli.CommandLine.ExitCode;
 
 /**
@@ -96,7 +97,8 @@ final class MainJob implements Callable<Integer> {
                 .directory());
         if (curve.isPresent() && best.isPresent()) {
             out.println();
-            out.println("Learning curve: " + curve.get() + " (and .png)");
+            String png = MachineFonts.areAvailable() ? " (and .png)" : " (no .png: " + MachineFonts.MISSING + ")";
+            out.println("Learning curve: " + curve.get() + png);
             out.println("To look further:");
             boolean hasChampion = Champion.isIn(best.get());
             if (hasChampion && TaskKind.of(plan.parameters()) != TaskKind.OWN) {

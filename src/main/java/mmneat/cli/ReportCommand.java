@@ -24,6 +24,7 @@ import mmneat.analysis.results.RunResult;
 import mmneat.experiment.FileTrouble;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
+import pacman.game.MachineFonts;
 import picocli.CommandLine.Command;
 
 /** Writes one page about a set of experiments, with its figures and replays. */
@@ -68,7 +69,7 @@ final class ReportCommand extends WordCommand implements Runnable {
         words.path("figures").ifPresent(folder -> {
             for (Figure figure : figures) {
                 OutputFile.write(folder.resolve(figure.name() + ".svg"), figure.svg());
-                OutputFile.write(folder.resolve(figure.name() + ".png"), figure.png());
+                figure.png().ifPresent(png -> OutputFile.write(folder.resolve(figure.name() + ".png"), png));
             }
         });
         Map<Path, String> links = replays(words, experiments, out);
@@ -76,6 +77,9 @@ final class ReportCommand extends WordCommand implements Runnable {
         OutputFile.write(out, report.html(title, figures, (experiment, run) -> links.get(run.folder())));
         PrintWriter messages = out();
         messages.println(out + ": open it in a browser");
+        if (words.has("figures") && !MachineFonts.areAvailable()) {
+            messages.println(words.text("figures", "") + ": SVG only, no PNG: " + MachineFonts.MISSING);
+        }
         messages.flush();
     }
 

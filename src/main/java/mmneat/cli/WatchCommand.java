@@ -17,6 +17,7 @@ import mmneat.analysis.replay.ReplayTitle;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import pacman.game.Constants;
+import pacman.game.MachineFonts;
 import picocli.CommandLine.Command;
 
 /** Lets a network play a game and writes a page that shows it. */
@@ -111,6 +112,9 @@ final class WatchCommand extends WordCommand implements Runnable {
         }
         OutputFile.write(out, bytes.toByteArray());
         out().printf(Locale.ROOT, "%s (%,d frames, %,d kB)%n", out, frames, bytes.size() / 1000);
+        if (!MachineFonts.areAvailable()) {
+            out().println("The picture has no text: " + MachineFonts.MISSING);
+        }
     }
 
     private void writePage(Path out, Champion champion, MsPacManTaskSettings settings, Rules rules, long seed) {

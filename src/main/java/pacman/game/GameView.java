@@ -251,6 +251,9 @@ public final class GameView extends JComponent {
     }
 
     private static void paintText(Graphics graphics, Game state) {
+        if (!MachineFonts.areAvailable()) {
+            return;
+        }
         graphics.setColor(Color.WHITE);
         graphics.drawString("S: ", 4, 271);
         graphics.drawString(Integer.toString(state.getScore()), 16, 271);

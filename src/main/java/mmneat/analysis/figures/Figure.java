@@ -1,28 +1,20 @@
 package mmneat.analysis.figures;
 
-import de.erichseifert.vectorgraphics2d.Document;
-import de.erichseifert.vectorgraphics2d.Processors;
-import de.erichseifert.vectorgraphics2d.VectorGraphics2D;
-import de.erichseifert.vectorgraphics2d.util.PageSize;
 import java.awt.Color;
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
-import java.awt.image.BufferedImage;
+import java.awt.geom.Rectangle2D;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import javax.imageio.ImageIO;
+import pacman.game.MachineFonts;
 
 /** A figure of one or more panels side by side and below each other, all of one size, with one legend. */
 public final class Figure {
 
     /** Most panels in a row of a {@link #grid}. */
     private static final int COLUMNS = 3;
-
-    /** Pixels per point of the PNG: sharp in print at the width of a page. */
-    private static final int PNG_SCALE = 3;
 
     private final String name;
     private final String caption;
@@ -92,52 +84,41 @@ public final class Figure {
 
     /** The figure as an SVG document. */
     public String svg() {
-        VectorGraphics2D graphics = new VectorGraphics2D();
-        paint(graphics);
-        Document document =
-                Processors.get("svg").getDocument(graphics.getCommands(), new PageSize(0, 0, width(), height()));
+        SvgCanvas canvas = new SvgCanvas(width(), height());
+        paint(canvas);
+        return canvas.document();
+    }
+
+    /** The figure as a PNG file, three pixels per point; empty if this machine has no font to write its text with. */
+    public Optional<byte[]> png() {
+        if (!MachineFonts.areAvailable()) {
+            return Optional.empty();
+        }
+        RasterCanvas canvas = new RasterCanvas(width(), height());
+        paint(canvas);
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try {
-            document.writeTo(bytes);
+            ImageIO.write(canvas.image(), "png", bytes);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return bytes.toString(StandardCharsets.UTF_8);
+        return Optional.of(bytes.toByteArray());
     }
 
-    /** The figure as a PNG file, three pixels per point. */
-    public byte[] png() {
-        BufferedImage image = new BufferedImage(PNG_SCALE * width(), PNG_SCALE * height(), BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = image.createGraphics();
-        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        graphics.scale(PNG_SCALE, PNG_SCALE);
-        paint(graphics);
-        graphics.dispose();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try {
-            ImageIO.write(image, "png", bytes);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return bytes.toByteArray();
-    }
-
-    private void paint(Graphics2D graphics) {
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, width(), height());
+    private void paint(Canvas canvas) {
+        canvas.fill(new Rectangle2D.Double(0, 0, width(), height()), Color.WHITE);
         for (int i = 0; i < panels.size(); i++) {
             int x = i % columns * panelWidth;
             int y = i / columns * panelHeight;
-            graphics.translate(x, y);
-            panels.get(i).paint(graphics, panelWidth, panelHeight);
-            graphics.translate(-x, -y);
+            canvas.translate(x, y);
+            panels.get(i).paint(canvas, panelWidth, panelHeight);
+            canvas.translate(-x, -y);
         }
         if (!keys.isEmpty()) {
             int y = height() - Key.HEIGHT;
-            graphics.translate(0, y);
-            Key.paint(graphics, keys, width());
-            graphics.translate(0, -y);
+            canvas.translate(0, y);
+            Key.paint(canvas, keys, width());
+            canvas.translate(0, -y);
         }
     }
 }

@@ -3,8 +3,6 @@ package mmneat.analysis.figures;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.Graphics2D;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
@@ -33,30 +31,25 @@ record Key(String text, Sign sign, Color color, BasicStroke stroke) {
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
     /** Draws entries in one row, in the middle of a width. */
-    static void paint(Graphics2D graphics, List<Key> keys, int width) {
+    static void paint(Canvas canvas, List<Key> keys, int width) {
         double all = -BETWEEN;
         for (Key key : keys) {
-            all += SIGN_WIDTH + GAP + Letters.width(key.text, FONT) + BETWEEN;
+            all += SIGN_WIDTH + GAP + TextWidth.of(key.text, FONT) + BETWEEN;
         }
         double x = (width - all) / 2;
         double middle = HEIGHT / 2.0 - 3;
         for (Key key : keys) {
-            key.paintSign(graphics, x, middle);
-            graphics.setColor(Color.BLACK);
-            Letters.draw(graphics, key.text, FONT, x + SIGN_WIDTH + GAP, middle + 4);
-            x += SIGN_WIDTH + GAP + Letters.width(key.text, FONT) + BETWEEN;
+            key.paintSign(canvas, x, middle);
+            canvas.text(key.text, x + SIGN_WIDTH + GAP, middle + 4, FONT, Color.BLACK, Canvas.Align.START);
+            x += SIGN_WIDTH + GAP + TextWidth.of(key.text, FONT) + BETWEEN;
         }
     }
 
-    private void paintSign(Graphics2D graphics, double x, double middle) {
-        graphics.setColor(color);
+    private void paintSign(Canvas canvas, double x, double middle) {
         switch (sign) {
-            case LINE -> {
-                graphics.setStroke(stroke);
-                graphics.draw(new Line2D.Double(x, middle, x + SIGN_WIDTH, middle));
-            }
-            case AREA -> graphics.fill(new Rectangle2D.Double(x + 4, middle - 6, SIGN_WIDTH - 8, 12));
-            case POINT -> graphics.fill(new Ellipse2D.Double(x + SIGN_WIDTH / 2.0 - 4, middle - 4, 8, 8));
+            case LINE -> canvas.draw(new Line2D.Double(x, middle, x + SIGN_WIDTH, middle), color, stroke);
+            case AREA -> canvas.fill(new Rectangle2D.Double(x + 4, middle - 6, SIGN_WIDTH - 8, 12), color);
+            case POINT -> canvas.fill(Marker.CIRCLE.at(x + SIGN_WIDTH / 2.0, middle), color);
         }
     }
 }

@@ -39,13 +39,13 @@ public final class ModuleUseFigure {
                 double[] shares = champions.stream()
                         .mapToDouble(PublishedResults.Champion::mostUsedModulePercent)
                         .toArray();
-                panel.points("paper", theirs, shares, new MethodStyle(MethodStyle.PAPER, style.dash(), style.marker()));
+                panel.points(theirs, shares, new MethodStyle(MethodStyle.PAPER, style.dash(), style.marker()));
             }
             double[] scores = experiment.championScores(true);
             double[] shares = experiment.runs().stream()
                     .mapToDouble(run -> run.evaluation().orElseThrow().mostUsedModulePercent())
                     .toArray();
-            panel.points("ours", scores, shares, style);
+            panel.points(scores, shares, style);
             low = Stream.of(scores, theirs).flatMapToDouble(Arrays::stream).reduce(low, Math::min);
             high = Stream.of(scores, theirs).flatMapToDouble(Arrays::stream).reduce(high, Math::max);
             panels.add(panel);

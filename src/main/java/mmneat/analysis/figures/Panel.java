@@ -3,72 +3,53 @@ package mmneat.analysis.figures;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
 import java.util.List;
-import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
-import org.knowm.xchart.XYSeries;
-import org.knowm.xchart.style.AxesChartStyler;
-import org.knowm.xchart.style.XYStyler;
-import org.knowm.xchart.style.markers.SeriesMarkers;
+import mmneat.analysis.figures.Canvas.Align;
 
-/**
- * A chart in the house style: white, few lines, large enough letters.
- *
- * <p>XChart draws axes and points. Curves and areas are drawn over it as one path each: XChart would draw every piece between two
- * points as a line of its own, which breaks dashes and makes an SVG of megabytes.
- */
+/** A chart with two axes, curves, areas, points and labels: white, with few lines and large enough letters. */
 final class Panel {
 
     /** A line, or without a stroke the area within. */
     private record Curve(double[] x, double[] y, Color color, BasicStroke stroke) {}
 
+    private record Points(double[] x, double[] y, MethodStyle style) {}
+
     private record Label(String text, double x, double y, Color color) {}
 
-    private static final MethodStyle INVISIBLE = new MethodStyle(Color.WHITE, new float[] {}, SeriesMarkers.NONE);
-    /** How far an axis goes beyond what is shown, as a share of it. */
-    private static final double END_OF_AXIS = 0.004;
-
+    private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 14);
+    private static final Font AXIS_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
+    private static final Font TICK_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
     private static final Font LABEL_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 12);
+    private static final Color GRID = new Color(0xe3, 0xe5, 0xea);
+    private static final Color TICKS = new Color(0x80, 0x86, 0x92);
+    private static final Color TEXT = new Color(0x22, 0x25, 0x2c);
+    private static final BasicStroke THIN = new BasicStroke(0.8f);
 
-    private final XYChart chart;
+    private static final int MARGIN = 16;
+    private static final int TITLE_HEIGHT = 24;
+    private static final int TICK_LENGTH = 4;
+    private static final int TICK_GAP = 4;
+    private static final int POINTS_PER_TICK_ACROSS = 76;
+    private static final int POINTS_PER_TICK_UP = 44;
+
+    private final String title;
+    private final String xTitle;
+    private final String yTitle;
     private final List<Curve> curves = new ArrayList<>();
+    private final List<Points> points = new ArrayList<>();
     private final List<Label> labels = new ArrayList<>();
     private double low = Double.POSITIVE_INFINITY;
     private double high = Double.NEGATIVE_INFINITY;
+    private Axis across = new Axis(0, 1);
+    private Axis up = new Axis(0, 1);
 
     Panel(String title, String xTitle, String yTitle) {
-        chart = new XYChartBuilder()
-                .title(title)
-                .xAxisTitle(xTitle)
-                .yAxisTitle(yTitle)
-                .build();
-        XYStyler style = chart.getStyler();
-        style.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
-        style.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 14));
-        style.setChartTitleBoxVisible(false);
-        style.setAxisTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
-        style.setAxisTickLabelsFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
-        style.setChartBackgroundColor(Color.WHITE);
-        style.setPlotBackgroundColor(Color.WHITE);
-        style.setPlotBorderVisible(false);
-        style.setPlotGridVerticalLinesVisible(false);
-        style.setPlotGridLinesColor(new Color(0xe3, 0xe5, 0xea));
-        style.setPlotGridLinesStroke(new BasicStroke(0.8f));
-        style.setAxisTickMarksColor(new Color(0x80, 0x86, 0x92));
-        style.setLegendVisible(false);
-        // Room for the half of a label under the end of an axis.
-        style.setChartPadding(16);
-        style.setXAxisDecimalPattern("#,##0");
-        style.setYAxisLabelAlignment(AxesChartStyler.TextAlignment.Right);
-        style.setLocale(java.util.Locale.ROOT);
-        style.setToolTipsEnabled(false);
-        style.setPlotContentSize(1.0);
-        style.setXAxisTickMarkSpacingHint(76);
-        style.setYAxisTickMarkSpacingHint(44);
-        style.setMarkerSize(8);
+        this.title = title;
+        this.xTitle = xTitle;
+        this.yTitle = yTitle;
     }
 
     /** A curve over generations 0, 1, ... */
@@ -97,11 +78,8 @@ final class Panel {
     }
 
     /** Points of a scatter plot. */
-    void points(String name, double[] x, double[] y, MethodStyle style) {
-        XYSeries series = chart.addSeries(name, x, y);
-        series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
-        series.setMarker(style.marker());
-        series.setMarkerColor(style.color());
+    void points(double[] x, double[] y, MethodStyle style) {
+        points.add(new Points(x, y, style));
     }
 
     /** A text beside a place of the chart. */
@@ -119,78 +97,121 @@ final class Panel {
         return high;
     }
 
-    /** Sets the axes; to be called once, before painting. An axis without extent becomes 1 high. */
-    void range(double left, double right, double bottom, double highest) {
-        double top = highest > bottom ? highest : bottom + 1;
-        if (chart.getSeriesMap().isEmpty()) {
-            // XChart draws axes for its own series only, and ticks only if these have many values.
-            points("axes", between(left, right), between(bottom, top), INVISIBLE);
+    /** Sets the axes; a range without extent is widened. */
+    void range(double left, double right, double bottom, double top) {
+        across = Axis.of(left, right);
+        up = Axis.of(bottom, top);
+    }
+
+    void paint(Canvas canvas, int width, int height) {
+        int rows = Math.max(2, height / POINTS_PER_TICK_UP);
+        List<Double> ticksUp = up.ticks(rows);
+        double widest = ticksUp.stream()
+                .mapToDouble(tick -> TextWidth.of(up.label(tick, rows), TICK_FONT))
+                .max()
+                .orElse(0);
+        double left =
+                MARGIN + (yTitle.isEmpty() ? 0 : AXIS_FONT.getSize() + 2 * TICK_GAP) + widest + TICK_GAP + TICK_LENGTH;
+        double top = MARGIN + (title.isEmpty() ? 0 : TITLE_HEIGHT);
+        double bottom = height - MARGIN - AXIS_FONT.getSize() - TICK_FONT.getSize() - 2 * TICK_GAP - TICK_LENGTH;
+        Frame frame = new Frame(left, top, width - MARGIN, bottom);
+        canvas.text(title, (frame.left + frame.right) / 2, MARGIN + 10, TITLE_FONT, TEXT, Align.MIDDLE);
+        canvas.text(xTitle, (frame.left + frame.right) / 2, height - MARGIN, AXIS_FONT, TEXT, Align.MIDDLE);
+        if (!yTitle.isEmpty()) {
+            canvas.textUpwards(yTitle, MARGIN + AXIS_FONT.getSize() - 2, (top + bottom) / 2, AXIS_FONT, TEXT);
         }
-        // XChart labels no tick at the very end of an axis.
-        double across = END_OF_AXIS * (right - left);
-        double along = END_OF_AXIS * (top - bottom);
-        chart.getStyler().setXAxisMin(left - across).setXAxisMax(right + across);
-        chart.getStyler().setYAxisMin(bottom - along).setYAxisMax(top + along);
-        chart.getStyler().setYAxisDecimalPattern(pattern(top - bottom));
-    }
-
-    /** As many decimals as tell a tenth of the range apart. */
-    private static String pattern(double range) {
-        int decimals = (int) Math.max(0, Math.ceil(1 - Math.log10(range)));
-        return decimals == 0 ? "#,##0" : "#,##0." + "0".repeat(decimals);
-    }
-
-    void paint(Graphics2D graphics, int width, int height) {
-        chart.paint(graphics, width, height);
-        for (Curve curve : curves) {
-            Path2D path = new Path2D.Double();
-            for (int i = 0; i < curve.x.length; i++) {
-                double x = round(chart.getScreenXFromChart(curve.x[i]));
-                double y = round(chart.getScreenYFromChart(curve.y[i]));
-                if (i == 0) {
-                    path.moveTo(x, y);
-                } else {
-                    path.lineTo(x, y);
+        paintAxes(canvas, frame, ticksUp, rows);
+        curves.forEach(curve -> paint(canvas, frame, curve));
+        for (Points cloud : points) {
+            for (int i = 0; i < cloud.x.length; i++) {
+                if (Double.isFinite(cloud.x[i]) && Double.isFinite(cloud.y[i])) {
+                    canvas.fill(cloud.style.marker().at(frame.x(cloud.x[i]), frame.y(cloud.y[i])), cloud.style.color());
                 }
-            }
-            graphics.setColor(curve.color);
-            if (curve.stroke == null) {
-                path.closePath();
-                graphics.fill(path);
-            } else {
-                graphics.setStroke(curve.stroke);
-                graphics.draw(path);
             }
         }
         for (Label label : labels) {
-            graphics.setColor(label.color);
-            Letters.draw(
-                    graphics,
-                    label.text,
-                    LABEL_FONT,
-                    chart.getScreenXFromChart(label.x),
-                    chart.getScreenYFromChart(label.y) + LABEL_FONT.getSize() / 3.0);
+            double base = frame.y(label.y) + LABEL_FONT.getSize() / 3.0;
+            canvas.text(label.text, frame.x(label.x), base, LABEL_FONT, label.color, Align.START);
         }
     }
 
-    private static double[] between(double from, double to) {
-        double[] values = new double[101];
-        for (int i = 0; i < values.length; i++) {
-            // Unevenly: XChart would make even steps its ticks, however odd the numbers.
-            values[i] = from + (to - from) * Math.pow(i / (values.length - 1.0), 1.3);
+    private void paintAxes(Canvas canvas, Frame frame, List<Double> ticksUp, int rows) {
+        for (double tick : ticksUp) {
+            double y = frame.y(tick);
+            canvas.draw(new Line2D.Double(frame.left, y, frame.right, y), GRID, THIN);
+            canvas.draw(new Line2D.Double(frame.left - TICK_LENGTH, y, frame.left, y), TICKS, THIN);
+            double right = frame.left - TICK_LENGTH - TICK_GAP;
+            canvas.text(up.label(tick, rows), right, y + TICK_FONT.getSize() / 3.0, TICK_FONT, TEXT, Align.END);
         }
-        return values;
+        int fitting = Math.max(2, (int) (frame.right - frame.left) / POINTS_PER_TICK_ACROSS);
+        // Generations are whole numbers.
+        int columns = curves.isEmpty() ? fitting : (int) Math.max(1, Math.min(fitting, across.high() - across.low()));
+        for (double tick : across.ticks(columns)) {
+            double x = frame.x(tick);
+            canvas.draw(new Line2D.Double(x, frame.bottom, x, frame.bottom + TICK_LENGTH), TICKS, THIN);
+            double base = frame.bottom + TICK_LENGTH + TICK_GAP + TICK_FONT.getSize() - 2;
+            canvas.text(across.label(tick, columns), x, base, TICK_FONT, TEXT, Align.MIDDLE);
+        }
+        canvas.draw(new Line2D.Double(frame.left, frame.bottom, frame.right, frame.bottom), TICKS, THIN);
+        canvas.draw(new Line2D.Double(frame.left, frame.top, frame.left, frame.bottom), TICKS, THIN);
     }
 
-    /** A twentieth of a point is finer than any print. */
-    private static double round(double points) {
-        return Math.round(20 * points) / 20.0;
+    private static void paint(Canvas canvas, Frame frame, Curve curve) {
+        Path2D path = new Path2D.Double();
+        boolean isOpen = false;
+        for (int i = 0; i < curve.x.length; i++) {
+            if (!Double.isFinite(curve.y[i])) {
+                // A curve has a gap where there is no number; an area goes on.
+                isOpen = isOpen && curve.stroke == null;
+                continue;
+            }
+            double x = frame.x(curve.x[i]);
+            double y = frame.y(curve.y[i]);
+            if (isOpen) {
+                path.lineTo(x, y);
+            } else {
+                path.moveTo(x, y);
+            }
+            isOpen = true;
+        }
+        if (curve.stroke != null) {
+            canvas.draw(path, curve.color, curve.stroke);
+        } else if (isOpen) {
+            path.closePath();
+            canvas.fill(path, curve.color);
+        }
+    }
+
+    /** The rectangle between the axes, in points, and the places of values in it. */
+    private final class Frame {
+
+        private final double left;
+        private final double top;
+        private final double right;
+        private final double bottom;
+
+        Frame(double left, double top, double right, double bottom) {
+            this.left = left;
+            this.top = top;
+            this.right = right;
+            this.bottom = bottom;
+        }
+
+        double x(double value) {
+            return left + (right - left) * across.share(value);
+        }
+
+        double y(double value) {
+            return bottom - (bottom - top) * up.share(value);
+        }
     }
 
     private void extend(double[] values) {
         for (double value : values) {
-            low = Math.min(low, value);
-            high = Math.max(high, value);
+            if (Double.isFinite(value)) {
+                low = Math.min(low, value);
+                high = Math.max(high, value);
+            }
         }
     }
 }

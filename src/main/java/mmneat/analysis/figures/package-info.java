@@ -1,2 +1,2 @@
-/** The paper's figures from our runs, with the paper's own data behind them, drawn with XChart as SVG and PNG. */
+/** The paper's figures from our runs, with the paper's own data behind them, drawn as SVG and PNG. */
 package mmneat.analysis.figures;

@@ -12,6 +12,7 @@ import mmneat.mspacman.DirectionEvaluator;
 import pacman.game.Constants;
 import pacman.game.Game;
 import pacman.game.GameView;
+import pacman.game.MachineFonts;
 
 /**
  * The competition's view of a network's game, enlarged, with Ms. Pac-Man's trail in this maze in one colour per module, which a line
@@ -103,6 +104,9 @@ final class TrailPicture {
     }
 
     private void drawLine(Graphics2D graphics, int width, int height, String title) {
+        if (!MachineFonts.areAvailable()) {
+            return;
+        }
         graphics.setFont(FONT);
         graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         int margin = LINE_HEIGHT / 3;

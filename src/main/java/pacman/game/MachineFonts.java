@@ -1,0 +1,33 @@
+package pacman.game;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+
+/** Whether Java can write text into pictures here: slim containers often have no fonts, or lack the libraries for them. */
+public final class MachineFonts {
+
+    /** For messages: why a picture, or its text, is missing, and what helps. */
+    public static final String MISSING =
+            "no fonts on this machine; install fontconfig and a font, such as Debian's fonts-dejavu-core";
+
+    private static final boolean AVAILABLE = textCanBeDrawn();
+
+    private MachineFonts() {}
+
+    /** Whether text can be drawn into a picture. The machine is asked once. */
+    public static boolean areAvailable() {
+        return AVAILABLE;
+    }
+
+    private static boolean textCanBeDrawn() {
+        try {
+            Graphics2D graphics = new BufferedImage(16, 16, BufferedImage.TYPE_INT_RGB).createGraphics();
+            graphics.drawString("x", 0, graphics.getFontMetrics().getAscent());
+            graphics.dispose();
+            return true;
+        } catch (RuntimeException | LinkageError | InternalError e) {
+            // Whatever is missing, fonts, their configuration or a library, Java reports it in one of these ways.
+            return false;
+        }
+    }
+}
