@@ -13,6 +13,12 @@ import java.util.Arrays;
  */
 final class NondominatedRanks {
 
+    /** Up to so many points, comparing all pairs is faster than dividing them. */
+    private static final int FEW = 64;
+
+    /** As {@link #FEW}, for the smaller one of two sets. */
+    private static final int FEW_PAIRS = 16;
+
     /** {@code position[objective][point]}: 0 for the best score; equal scores share a position. */
     private final int[][] position;
 
@@ -113,11 +119,12 @@ final class NondominatedRanks {
      * @param points distinct points in lexicographic order
      */
     private void rankAmong(int[] points, int last) {
-        if (points.length < 2) {
-            return;
-        }
-        if (points.length == 2) {
-            raise(points[0], points[1], last);
+        if (points.length <= FEW) {
+            for (int i = 1; i < points.length; i++) {
+                for (int j = 0; j < i; j++) {
+                    raise(points[j], points[i], last);
+                }
+            }
         } else if (last == 1) {
             sweep(points, points);
         } else {
@@ -142,7 +149,7 @@ final class NondominatedRanks {
         if (dominators.length == 0 || points.length == 0) {
             return;
         }
-        if (dominators.length == 1 || points.length == 1) {
+        if (Math.min(dominators.length, points.length) <= FEW_PAIRS) {
             for (int dominator : dominators) {
                 for (int point : points) {
                     raise(dominator, point, last);

@@ -20,7 +20,7 @@ class NondominatedRanksTest {
     void ranks_equalThoseOfAllPairs_withTiesAndDuplicates(int objectives) {
         ResumableRandom random = new ResumableRandom(objectives);
         for (int set = 0; set < SETS / 5; set++) {
-            double[][] scores = randomScores(1 + random.nextInt(60), objectives, 1 + random.nextInt(15), random);
+            double[][] scores = randomScores(1 + random.nextInt(120), objectives, 1 + random.nextInt(15), random);
             assertThat(NondominatedRanks.of(scores))
                     .as("scores %s", Arrays.deepToString(scores))
                     .isEqualTo(ranksOfAllPairs(scores));
