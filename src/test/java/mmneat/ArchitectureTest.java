@@ -3,17 +3,22 @@ package mmneat;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -105,6 +110,60 @@ class ArchitectureTest {
             "mmneat.mspacman..", "mmneat.evolution..", "mmneat.neat..", "mmneat.random..", "pacman.."
         });
         rule.check(OURS);
+    }
+
+    /** The shells of the competition's interface and the game refer to each other, as entries of 2012 expect. */
+    @Test
+    void packages_areFreeOfCycles() {
+        slices().matching("(mmneat..)").should().beFreeOfCycles().check(OURS);
+        slices().matching("(pacman..)")
+                .should()
+                .beFreeOfCycles()
+                .ignoreDependency(
+                        JavaClass.Predicates.resideInAPackage("pacman.game"),
+                        JavaClass.Predicates.resideInAPackage("pacman.game.internal"))
+                .check(OURS);
+    }
+
+    @Test
+    void publicTypes_haveNamesOfTheirOwn() {
+        Map<String, List<JavaClass>> byName = OURS.stream()
+                .filter(type -> type.isTopLevelClass()
+                        && type.getModifiers().contains(JavaModifier.PUBLIC)
+                        && !type.getSimpleName().equals("package-info"))
+                .collect(Collectors.groupingBy(JavaClass::getSimpleName));
+        assertThat(byName.values()).allSatisfy(types -> assertThat(types).hasSize(1));
+    }
+
+    @Test
+    void variation_isAboveGenotypes() {
+        packageUsesOnly("mmneat.neat", new String[] {"mmneat.neat", "mmneat.random"})
+                .check(OURS);
+        packageUsesOnly(
+                        "mmneat.neat.variation..",
+                        new String[] {"mmneat.neat", "mmneat.neat.variation..", "mmneat.random"})
+                .check(OURS);
+    }
+
+    @Test
+    void experiment_isBuiltOnParametersAndStore() {
+        for (String below : List.of("", ".parameters", ".store", ".original", ".cluster")) {
+            noClasses()
+                    .that()
+                    .resideInAPackage("mmneat.experiment" + below)
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage("mmneat.experiment.run")
+                    .check(OURS);
+        }
+        noClasses()
+                .that()
+                .resideInAPackage("mmneat.experiment.parameters")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage(
+                        "mmneat.experiment.store", "mmneat.experiment.original", "mmneat.experiment.cluster")
+                .check(OURS);
     }
 
     @Test

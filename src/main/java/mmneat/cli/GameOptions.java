@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import pacman.game.GameRules;
 import pacman.game.GhostLocations;
@@ -132,7 +132,7 @@ final class GameOptions {
         try (Reader text = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
             return GhostLocations.read(file.toString(), text);
         } catch (IOException e) {
-            throw new UserError("ghostLocations: cannot read " + file + ": " + FileTrouble.reason(e), e);
+            throw new UserError("ghostLocations: cannot read " + file + ": " + FileErrors.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError("ghostLocations: " + e.getMessage(), e);
         }
@@ -146,7 +146,7 @@ final class GameOptions {
         try {
             return Mazes.of(List.of(MazeTables.read(file)));
         } catch (IOException e) {
-            throw new UserError("maze: cannot read " + file + ": " + FileTrouble.reason(e), e);
+            throw new UserError("maze: cannot read " + file + ": " + FileErrors.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError(e.getMessage(), e);
         }

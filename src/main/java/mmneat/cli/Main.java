@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
@@ -150,10 +150,10 @@ public final class Main implements Callable<Integer> {
             return Optional.of(failure.getMessage());
         }
         if (failure instanceof UncheckedIOException unchecked) {
-            return Optional.of(FileTrouble.sentence(unchecked.getCause()));
+            return Optional.of(FileErrors.sentence(unchecked.getCause()));
         }
         if (failure instanceof FileSystemException file) {
-            return Optional.of(FileTrouble.sentence(file));
+            return Optional.of(FileErrors.sentence(file));
         }
         if (failure instanceof InvalidPathException name) {
             return Optional.of("'" + name.getInput() + "' cannot be the name of a file here (" + name.getReason()

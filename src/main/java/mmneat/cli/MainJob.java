@@ -11,8 +11,8 @@ import mmneat.analysis.evaluation.Champion;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.TaskKind;
-import mmneat.experiment.run.Experiment;
 import mmneat.experiment.run.ExperimentPlan;
+import mmneat.experiment.run.ExperimentRunner;
 import mmneat.experiment.run.RunMonitor;
 import mmneat.experiment.run.RunOutcome;
 import pacman.game.MachineFonts;
@@ -48,7 +48,7 @@ final class MainJob implements Callable<Integer> {
         ParameterReader.Result read = new ParameterReader(ParameterCatalogue.load()).read(words);
         read.remarks().forEach(remark -> errors.println("mmneat: " + remark));
         ExperimentPlan plan = ExperimentPlan.of(read.parameters());
-        Experiment experiment = new Experiment(plan);
+        ExperimentRunner experiment = new ExperimentRunner(plan);
         boolean quiet = read.parameters().flag("quiet");
 
         Progress progress = Progress.start(quiet, out, plan, experiment.monitors());
@@ -115,7 +115,7 @@ final class MainJob implements Callable<Integer> {
     }
 
     /** Runs when the process is told to end: Ctrl-C, SIGTERM. */
-    private void halt(Experiment experiment, Progress progress) {
+    private void halt(ExperimentRunner experiment, Progress progress) {
         progress.close();
         boolean finished;
         try {

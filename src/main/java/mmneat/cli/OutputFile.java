@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 
 /** Files that a user asked a command to write. */
@@ -45,7 +45,7 @@ final class OutputFile {
             }
             Files.write(file, content);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be written: " + FileTrouble.reason(e), e);
+            throw new UserError(file + ": cannot be written: " + FileErrors.reason(e), e);
         }
     }
 }

@@ -2,7 +2,7 @@ package mmneat.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import pacman.Executor;
 import pacman.Recording;
@@ -77,7 +77,7 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
         try {
             return Recording.load(file);
         } catch (IOException e) {
-            throw new UserError("cannot read " + file + ": " + FileTrouble.reason(e), e);
+            throw new UserError("cannot read " + file + ": " + FileErrors.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError(file + ": " + e.getMessage(), e);
         }

@@ -21,7 +21,7 @@ import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.results.MethodName;
 import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.results.RunResult;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import pacman.game.MachineFonts;
@@ -139,7 +139,7 @@ final class ReportCommand extends WordCommand implements Runnable {
             seed = ChampionEvaluator.typicalGame(champion, run.folder(), Rules.TRAINING)
                     .orElse(0L);
         } catch (IOException e) {
-            throw new UserError(run.folder() + ": " + FileTrouble.reason(e), e);
+            throw new UserError(run.folder() + ": " + FileErrors.reason(e), e);
         }
         ReplayTitle title = new ReplayTitle(
                 (experiment.version() + " " + experiment.method() + ", run " + run.number()).strip(),

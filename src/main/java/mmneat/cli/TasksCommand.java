@@ -12,7 +12,6 @@ import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
 import mmneat.analysis.tasks.Episode;
 import mmneat.analysis.tasks.TaskDivision;
-import mmneat.analysis.tasks.TaskKind;
 import mmneat.analysis.tasks.TaskMeasurement;
 import mmneat.analysis.tasks.TaskMeter;
 import mmneat.cli.entry.ControllerLoader;
@@ -22,6 +21,7 @@ import mmneat.experiment.parameters.PublishedConfigurations;
 import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
 import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
 import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
@@ -160,7 +160,7 @@ final class TasksCommand extends WordCommand implements Runnable {
                     Numbers.decimal(rates.getStandardDeviation(), RATE_DECIMALS),
                     Numbers.decimal(rates.getMax(), RATE_DECIMALS),
                     percent(measurement.overlap()),
-                    measurement.kind().name().toLowerCase(Locale.ROOT));
+                    measurement.version().name().toLowerCase(Locale.ROOT));
         }
         out.print(table.text());
         for (int i = 0; i < names.size(); i++) {
@@ -192,9 +192,9 @@ final class TasksCommand extends WordCommand implements Runnable {
 
     private static String reason(TaskMeasurement measurement) {
         String bound = Numbers.decimal(TaskMeasurement.INTERLEAVED_BOUND, 2);
-        TaskKind kind = measurement.kind();
-        return "  " + kind.name().toLowerCase(Locale.ROOT) + ": "
-                + switch (kind) {
+        TaskVersion version = measurement.version();
+        return "  " + version.label() + ": "
+                + switch (version) {
                     case ISOLATED -> "within a game the task never changes";
                     case INTERLEAVED -> "tasks never overlap, and the mean thrashing rate is at most " + bound;
                     case BLENDED ->

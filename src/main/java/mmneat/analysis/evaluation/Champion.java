@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import mmneat.analysis.results.RunParameters;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeFiles;
@@ -56,7 +56,7 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
         } catch (GenotypeFormatException e) {
             throw new UserError(e.getMessage(), e);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
+            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
         }
     }
 

@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.EvaluationFiles;
 import mmneat.evolution.DaemonThreads;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
@@ -129,7 +129,7 @@ public final class ChampionEvaluator implements AutoCloseable {
                         java.nio.file.StandardCopyOption.REPLACE_EXISTING,
                         java.nio.file.StandardCopyOption.ATOMIC_MOVE);
             } catch (IOException e) {
-                throw new UserError(summary + ": cannot be written: " + FileTrouble.reason(e), e);
+                throw new UserError(summary + ": cannot be written: " + FileErrors.reason(e), e);
             }
             return evaluation;
         }

@@ -11,7 +11,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 
 /**
@@ -134,6 +134,6 @@ final class EvaluationFile implements AutoCloseable {
     }
 
     private UserError failure(IOException e) {
-        return new UserError(file + ": cannot be written or read: " + FileTrouble.reason(e), e);
+        return new UserError(file + ": cannot be written or read: " + FileErrors.reason(e), e);
     }
 }

@@ -11,7 +11,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.SampleStatistics;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DoubleText;
 import mmneat.mspacman.DirectionEvaluator;
@@ -67,7 +67,7 @@ public final class EvaluationReport implements EvaluationObserver {
         try {
             Files.writeString(file, of(settings, champion.genotype(), games, Long.parseLong(seed)));
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be written: " + FileTrouble.reason(e), e);
+            throw new UserError(file + ": cannot be written: " + FileErrors.reason(e), e);
         }
         return file;
     }
@@ -81,7 +81,7 @@ public final class EvaluationReport implements EvaluationObserver {
                     .findFirst()
                     .orElse("");
         } catch (IOException e) {
-            throw new UserError(folder + ": cannot be read: " + FileTrouble.reason(e), e);
+            throw new UserError(folder + ": cannot be read: " + FileErrors.reason(e), e);
         }
     }
 

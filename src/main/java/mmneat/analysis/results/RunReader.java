@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 
 /**
@@ -90,7 +90,7 @@ public final class RunReader {
         try {
             return Files.readAllLines(file, StandardCharsets.UTF_8);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
+            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
         }
     }
 
@@ -121,7 +121,7 @@ public final class RunReader {
         } catch (JacksonException e) {
             throw new UserError(file + ": is damaged" + remedy, e);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
+            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
         }
     }
 

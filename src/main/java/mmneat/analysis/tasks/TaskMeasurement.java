@@ -1,6 +1,7 @@
 package mmneat.analysis.tasks;
 
 import java.util.List;
+import mmneat.mspacman.TaskVersion;
 import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
 
 /**
@@ -51,17 +52,18 @@ public record TaskMeasurement(TaskDivision division, List<Episode> episodes) {
     }
 
     /**
-     * What the version is: isolated if no episode switches or overlaps; interleaved if nothing overlaps and the mean thrashing
-     * rate is at most {@value #INTERLEAVED_BOUND}; otherwise blended.
+     * The version that the episodes are examples of, as section 3 of the paper defines them: isolated if the task never changes
+     * within an episode; interleaved if there is one task at a time and it changes seldom, at a mean thrashing rate of at most
+     * {@value #INTERLEAVED_BOUND}; otherwise blended.
      */
-    public TaskKind kind() {
+    public TaskVersion version() {
         if (overlap() > 0) {
-            return TaskKind.BLENDED;
+            return TaskVersion.BLENDED;
         }
         double mean = thrashingRates().getMean();
         if (mean == 0) {
-            return TaskKind.ISOLATED;
+            return TaskVersion.ISOLATED;
         }
-        return mean <= INTERLEAVED_BOUND ? TaskKind.INTERLEAVED : TaskKind.BLENDED;
+        return mean <= INTERLEAVED_BOUND ? TaskVersion.INTERLEAVED : TaskVersion.BLENDED;
     }
 }

@@ -14,7 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 
 /**
@@ -121,7 +121,7 @@ public final class ParameterReader {
                     : PropertiesFile.read(new StringReader(text));
             Parameters.defaults(catalogue).with(layer);
         } catch (IOException e) {
-            throw new UserError("config=" + name + ": cannot be read: " + FileTrouble.reason(e), e);
+            throw new UserError("config=" + name + ": cannot be read: " + FileErrors.reason(e), e);
         } catch (UserError e) {
             throw new UserError(name + ": " + e.getMessage(), e);
         }

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Properties;
 import java.util.TreeMap;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 
 /** Reads parameters in Java's properties syntax, which takes {@code name=value} and the original's {@code name:value}. */
@@ -24,7 +24,7 @@ public final class PropertiesFile {
         try (Reader reader = Files.newBufferedReader(file)) {
             return read(reader);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileTrouble.reason(e), e);
+            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
         } catch (UserError e) {
             throw new UserError(file + ": " + e.getMessage(), e);
         }

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Supplier;
 import mmneat.evolution.Task;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
@@ -57,7 +57,7 @@ public final class Tasks {
         try (Reader reader = Files.newBufferedReader(path)) {
             return GhostLocations.read(file, reader);
         } catch (IOException e) {
-            throw new UserError(GHOST_LOCATIONS + "=" + file + ": cannot be read: " + FileTrouble.reason(e), e);
+            throw new UserError(GHOST_LOCATIONS + "=" + file + ": cannot be read: " + FileErrors.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError(GHOST_LOCATIONS + "=" + e.getMessage(), e);
         }

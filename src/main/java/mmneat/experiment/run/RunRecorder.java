@@ -30,7 +30,7 @@ final class RunRecorder implements EvolutionObserver {
     private final CommitGate gate;
     private final RunMonitor monitor;
     private final GenerationTable table;
-    private final ForcingSchedule forcing = new ForcingSchedule(System::nanoTime);
+    private final SyncSchedule forcing = new SyncSchedule(System::nanoTime);
     private int completedHere;
     private RunStatus status;
 

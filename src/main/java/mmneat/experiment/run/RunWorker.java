@@ -15,7 +15,7 @@ import mmneat.evolution.EvolutionState;
 import mmneat.evolution.ParallelEvaluator;
 import mmneat.evolution.SequentialEvaluator;
 import mmneat.evolution.Task;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.original.RunFiles;
 import mmneat.experiment.parameters.EvolutionParameters;
@@ -228,7 +228,7 @@ final class RunWorker {
     }
 
     private String fileMessage(IOException e) {
-        return "cannot write or read in " + run.directory() + ": " + FileTrouble.sentence(e)
+        return "cannot write or read in " + run.directory() + ": " + FileErrors.sentence(e)
                 + "; what was complete is kept: mend it and give the same command again";
     }
 }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.ParameterCatalogue;
@@ -77,7 +77,7 @@ public record Study(List<Part> parts, List<String> remarks) {
         ParameterReader.Result read = new ParameterReader(catalogue).read(words);
         remarks.addAll(read.remarks());
         ExperimentPlan plan = ExperimentPlan.of(read.parameters());
-        Experiment.requirePossible(plan);
+        ExperimentRunner.requirePossible(plan);
         return new Part(plan, words);
     }
 
@@ -139,7 +139,7 @@ public record Study(List<Part> parts, List<String> remarks) {
                         .filter(status -> status.isFinished(run.generations()))
                         .isPresent();
             } catch (IOException e) {
-                throw new UserError(run.directory() + ": cannot be read: " + FileTrouble.reason(e), e);
+                throw new UserError(run.directory() + ": cannot be read: " + FileErrors.reason(e), e);
             }
         }
     }

@@ -29,7 +29,7 @@ public record Checkpoint(
         String format,
         int version,
         SortedMap<String, Long> logs,
-        SortedMap<String, UnforcedFiles.Stretch> unforced,
+        SortedMap<String, UnsyncedFiles.Stretch> unforced,
         EvolutionState evolution) {
 
     private static final String FORMAT = "mmneat-checkpoint";
@@ -49,7 +49,7 @@ public record Checkpoint(
     }
 
     public static Checkpoint of(
-            EvolutionState evolution, Map<String, Long> logs, SortedMap<String, UnforcedFiles.Stretch> unforced) {
+            EvolutionState evolution, Map<String, Long> logs, SortedMap<String, UnsyncedFiles.Stretch> unforced) {
         return new Checkpoint(FORMAT, VERSION, new TreeMap<>(logs), unforced, evolution);
     }
 

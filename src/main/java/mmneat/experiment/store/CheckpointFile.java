@@ -74,7 +74,7 @@ public final class CheckpointFile {
         for (Path file : new Path[] {newest, previous}) {
             try (GZIPInputStream gzip = new GZIPInputStream(new ByteArrayInputStream(Files.readAllBytes(file)))) {
                 Checkpoint checkpoint = Checkpoint.fromJson(gzip.readAllBytes(), directory);
-                if (UnforcedFiles.areIntact(directory, checkpoint.unforced())) {
+                if (UnsyncedFiles.areIntact(directory, checkpoint.unforced())) {
                     newestOutlivesTheMachine = file.equals(newest) && checkpoint.wasForced();
                     return Optional.of(checkpoint);
                 }

@@ -36,7 +36,7 @@ public final class RunFolder {
     private final Map<String, StringBuilder> held = new TreeMap<>();
     private final Map<String, Long> lengths = new TreeMap<>();
 
-    private final UnforcedFiles unforced;
+    private final UnsyncedFiles unforced;
 
     /** Files that are written again from the checkpoint when a run is continued; forced when it is complete. */
     private final Set<Path> remakeable = new TreeSet<>();
@@ -48,7 +48,7 @@ public final class RunFolder {
     public RunFolder(Path directory, String prefix) {
         this.directory = directory;
         this.prefix = prefix;
-        unforced = new UnforcedFiles(directory);
+        unforced = new UnsyncedFiles(directory);
     }
 
     /** The run's folder. */
@@ -147,7 +147,7 @@ public final class RunFolder {
     }
 
     /** What may not be on the disk yet, besides what can be made again; changes with every call that writes. */
-    public UnforcedFiles unforced() {
+    public UnsyncedFiles unforced() {
         return unforced;
     }
 

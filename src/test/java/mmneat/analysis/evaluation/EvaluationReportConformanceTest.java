@@ -9,8 +9,8 @@ import java.util.Optional;
 import mmneat.GoldenData;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
-import mmneat.experiment.run.Experiment;
 import mmneat.experiment.run.ExperimentPlan;
+import mmneat.experiment.run.ExperimentRunner;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,7 +38,7 @@ class EvaluationReportConformanceTest {
                         "saveTo=MMD",
                         "base=" + base))
                 .parameters());
-        new Experiment(plan).run();
+        new ExperimentRunner(plan).run();
         Champion champion = Champion.read(base.resolve("MMD0"));
         Path report = EvaluationReport.write(
                 champion, PlayerSettings.of(champion, Optional.empty(), Rules.TRAINING, Optional.empty()), 3);

@@ -52,17 +52,18 @@ class TaskMeterTest {
     @Test
     void kind_followsFromOverlapAndRate() {
         TaskDivision division = TaskDivision.named("threats,edible");
-        assertThat(new TaskMeasurement(division, List.of(episode(1, 1), episode(2))).kind())
-                .isEqualTo(TaskKind.ISOLATED);
+        assertThat(new TaskMeasurement(division, List.of(episode(1, 1), episode(2))).version())
+                .isEqualTo(TaskVersion.ISOLATED);
         int[] seldom = new int[200];
         java.util.Arrays.fill(seldom, 1);
         seldom[199] = 2;
-        assertThat(new TaskMeasurement(division, List.of(episode(seldom))).kind())
-                .isEqualTo(TaskKind.INTERLEAVED);
-        assertThat(new TaskMeasurement(division, List.of(episode(1, 2))).kind()).isEqualTo(TaskKind.BLENDED);
+        assertThat(new TaskMeasurement(division, List.of(episode(seldom))).version())
+                .isEqualTo(TaskVersion.INTERLEAVED);
+        assertThat(new TaskMeasurement(division, List.of(episode(1, 2))).version())
+                .isEqualTo(TaskVersion.BLENDED);
         seldom[199] = 3;
-        assertThat(new TaskMeasurement(division, List.of(episode(seldom))).kind())
-                .isEqualTo(TaskKind.BLENDED);
+        assertThat(new TaskMeasurement(division, List.of(episode(seldom))).version())
+                .isEqualTo(TaskVersion.BLENDED);
     }
 
     @Test
@@ -79,14 +80,14 @@ class TaskMeterTest {
             assertThat(measured.overlap()).isZero();
         }
         assertThat(measure(MsPacManTaskSettings.interleaved(), champion("interleaved"))
-                        .kind())
-                .isEqualTo(TaskKind.INTERLEAVED);
+                        .version())
+                .isEqualTo(TaskVersion.INTERLEAVED);
     }
 
     @Test
     void blendedVersion_hasOverlappingTasks() {
         TaskMeasurement measured = measure(MsPacManTaskSettings.blended(), champion("blended"));
-        assertThat(measured.kind()).isEqualTo(TaskKind.BLENDED);
+        assertThat(measured.version()).isEqualTo(TaskVersion.BLENDED);
         assertThat(measured.share(0, 1)).isPositive().isEqualTo(measured.overlap());
         assertThat(measured.share(0, 0)).isBetween(measured.overlap(), 1.0);
     }
@@ -97,7 +98,7 @@ class TaskMeterTest {
         TaskMeasurement measured = new TaskMeter(isolated, TaskDivision.usual(TaskVersion.ISOLATED))
                 .measure(champion("isolated"), 2, 1, played -> {});
         assertThat(measured.episodes()).hasSize(10);
-        assertThat(measured.kind()).isEqualTo(TaskKind.ISOLATED);
+        assertThat(measured.version()).isEqualTo(TaskVersion.ISOLATED);
     }
 
     @Test

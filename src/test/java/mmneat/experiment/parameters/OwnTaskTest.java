@@ -13,8 +13,8 @@ import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.Task;
 import mmneat.experiment.UserError;
-import mmneat.experiment.run.Experiment;
 import mmneat.experiment.run.ExperimentPlan;
+import mmneat.experiment.run.ExperimentRunner;
 import mmneat.experiment.run.RunPlan;
 import mmneat.experiment.store.RunParametersFile;
 import mmneat.neat.Genotype;
@@ -81,8 +81,8 @@ class OwnTaskTest {
                         .toList());
     }
 
-    private static Experiment experiment(String... words) {
-        return new Experiment(ExperimentPlan.of(read(words).parameters()));
+    private static ExperimentRunner experiment(String... words) {
+        return new ExperimentRunner(ExperimentPlan.of(read(words).parameters()));
     }
 
     @Test

@@ -56,8 +56,8 @@ class ArchetypeCleaningRunTest {
         }
         assertThat(removed).as("entries that were cleaned away").isPositive();
         assertThat(shadowsSeen).as("shadow entries").isPositive();
-        assertThat(ExperimentTest.content(folder.resolve("stopped/MMD0")))
-                .isEqualTo(ExperimentTest.content(folder.resolve("whole/MMD0")));
+        assertThat(ExperimentRunnerTest.content(folder.resolve("stopped/MMD0")))
+                .isEqualTo(ExperimentRunnerTest.content(folder.resolve("whole/MMD0")));
     }
 
     /** What is not used is a shadow, and its neuron is still there. */
@@ -104,6 +104,6 @@ class ArchetypeCleaningRunTest {
                 "base=" + folder.resolve(base)));
         ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
         ExperimentPlan plan = ExperimentPlan.of(reader.read(words).parameters());
-        assertThat(new Experiment(plan).run()).allMatch(RunOutcome::isComplete);
+        assertThat(new ExperimentRunner(plan).run()).allMatch(RunOutcome::isComplete);
     }
 }

@@ -41,7 +41,7 @@ record GoldenRun(Path folder) {
     static void run(Stream<String> words) throws InterruptedException {
         ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
         ExperimentPlan plan = ExperimentPlan.of(reader.read(words.toList()).parameters());
-        assertThat(new Experiment(plan).run())
+        assertThat(new ExperimentRunner(plan).run())
                 .allSatisfy(outcome ->
                         assertThat(outcome.isComplete()).as(outcome.message()).isTrue());
     }

@@ -82,11 +82,11 @@ class RunEndTest {
         uneventful();
     }
 
-    private Experiment experiment(String... words) {
+    private ExperimentRunner experiment(String... words) {
         List<String> all =
                 new ArrayList<>(List.of("task=" + EventfulTask.class.getName(), "mu=" + MU, "base=" + folder));
         all.addAll(Arrays.asList(words));
-        return new Experiment(ExperimentPlan.of(
+        return new ExperimentRunner(ExperimentPlan.of(
                 new ParameterReader(ParameterCatalogue.load()).read(all).parameters()));
     }
 
@@ -235,7 +235,7 @@ class RunEndTest {
                 Thread.onSpinWait();
             }
         };
-        Experiment experiment = experiment("maxGens=2");
+        ExperimentRunner experiment = experiment("maxGens=2");
         ExecutorService other = Executors.newSingleThreadExecutor();
         Future<Boolean> leftLocked = other.submit(() -> {
             try {

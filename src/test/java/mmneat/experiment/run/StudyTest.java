@@ -129,7 +129,7 @@ class StudyTest {
         Study study = study(words);
         ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
         words[3] = "run=1";
-        new Experiment(ExperimentPlan.of(reader.read(List.of(words)).parameters())).run();
+        new ExperimentRunner(ExperimentPlan.of(reader.read(List.of(words)).parameters())).run();
         assertThat(study.parts().get(0).unfinishedRuns()).containsExactly(0, 2);
     }
 

@@ -142,7 +142,7 @@ class CheckpointFileTest {
     }
 
     private static Checkpoint withUnforced(String name, String file, String content) {
-        UnforcedFiles unforced = new UnforcedFiles(Path.of(""));
+        UnsyncedFiles unforced = new UnsyncedFiles(Path.of(""));
         unforced.replaced(file, content.getBytes(StandardCharsets.UTF_8));
         return Checkpoint.of(STATE, Map.of(name, 0L), unforced.stretches());
     }

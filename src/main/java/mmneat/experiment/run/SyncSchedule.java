@@ -7,7 +7,7 @@ import java.util.function.LongSupplier;
  * When a run waits until its files are on the disk. A failure of the machine then costs little work, all of which is done again
  * with the same result; a failure of the program alone costs nothing in between either.
  */
-final class ForcingSchedule {
+final class SyncSchedule {
 
     /** About what the failure of a machine may cost. */
     private static final Duration LONGEST = Duration.ofSeconds(30);
@@ -19,7 +19,7 @@ final class ForcingSchedule {
     private boolean isFirst = true;
     private long lastNanos;
 
-    ForcingSchedule(LongSupplier nanoTime) {
+    SyncSchedule(LongSupplier nanoTime) {
         this.nanoTime = nanoTime;
     }
 

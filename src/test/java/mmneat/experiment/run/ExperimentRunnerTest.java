@@ -27,14 +27,14 @@ import mmneat.experiment.store.Checkpoint;
 import mmneat.experiment.store.CheckpointFile;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunView;
-import mmneat.experiment.store.UnforcedFiles;
+import mmneat.experiment.store.UnsyncedFiles;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Whole experiments with a small task of somebody's own. */
-class ExperimentTest {
+class ExperimentRunnerTest {
 
     @TempDir
     Path folder;
@@ -49,7 +49,7 @@ class ExperimentTest {
     }
 
     private List<RunOutcome> run(String base, String... words) throws InterruptedException {
-        return new Experiment(plan(base, words)).run();
+        return new ExperimentRunner(plan(base, words)).run();
     }
 
     /** The content of a run's files, without those that hold times or where the run is. */
@@ -151,7 +151,7 @@ class ExperimentTest {
         int halted = 0;
         boolean complete = false;
         for (int session = 0; session < 100 && !complete; session++) {
-            Experiment experiment = new Experiment(plan("halted", "maxGens=12", "method=MMD"));
+            ExperimentRunner experiment = new ExperimentRunner(plan("halted", "maxGens=12", "method=MMD"));
             Future<List<RunOutcome>> running = other.submit(experiment::run);
             // Halts a little later in each session; wherever that is, the next one has to go on.
             long end = System.nanoTime() + session * session * 2_000_000L;
@@ -173,7 +173,7 @@ class ExperimentTest {
     @Test
     void unforcedFilesThatAFailingMachineLost_areMadeAgain_theSame() throws Exception {
         run("whole", "maxGens=30", "method=MMD");
-        Experiment experiment = new Experiment(plan("stopped", "maxGens=30", "method=MMD"));
+        ExperimentRunner experiment = new ExperimentRunner(plan("stopped", "maxGens=30", "method=MMD"));
         ExecutorService other = Executors.newSingleThreadExecutor();
         Future<List<RunOutcome>> running = other.submit(experiment::run);
         while (experiment.monitors().get(0).snapshot().generation() < 4) {
@@ -199,7 +199,7 @@ class ExperimentTest {
             copy(stopped, damaged);
             for (String file : files) {
                 // Of a log a failure takes what was added since it was forced.
-                UnforcedFiles.Stretch stretch = checkpoint.unforced().get(file);
+                UnsyncedFiles.Stretch stretch = checkpoint.unforced().get(file);
                 int forced = stretch == null ? 0 : (int) stretch.from();
                 byte[] left = losses(Files.readAllBytes(stopped.resolve(file)), forced)
                         .get(loss);
@@ -307,7 +307,7 @@ class ExperimentTest {
 
     @Test
     void taskThatThrows_isAFailureWithItsStackTrace_andTheLastGenerationIsKept() throws Exception {
-        RunOutcome outcome = new Experiment(ExperimentPlan.of(reader.read(List.of(
+        RunOutcome outcome = new ExperimentRunner(ExperimentPlan.of(reader.read(List.of(
                                 "task=" + BreakingTask.class.getName(),
                                 "mu=6",
                                 "maxGens=5",

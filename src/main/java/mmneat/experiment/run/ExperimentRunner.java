@@ -18,7 +18,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import mmneat.evolution.DaemonThreads;
 import mmneat.evolution.Task;
-import mmneat.experiment.FileTrouble;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.EvolutionParameters;
 import mmneat.experiment.parameters.TaskKind;
@@ -33,7 +33,7 @@ import mmneat.experiment.store.RunStatus;
  * Does the runs of a plan: side by side, each by itself and exact. A run that is finished is skipped, one that was begun is
  * continued; the result of a run does not depend on the others.
  */
-public final class Experiment {
+public final class ExperimentRunner {
 
     private final ExperimentPlan plan;
     private final List<RunMonitor> monitors;
@@ -48,7 +48,7 @@ public final class Experiment {
      *
      * @throws UserError if the task cannot be made, or a run was begun with other parameters or has gone farther
      */
-    public Experiment(ExperimentPlan plan) {
+    public ExperimentRunner(ExperimentPlan plan) {
         this.plan = plan;
         tasks = tasks(plan);
         monitors = plan.runs().stream()
@@ -71,7 +71,7 @@ public final class Experiment {
      * @throws UserError if not
      */
     static void requirePossible(ExperimentPlan plan) {
-        new Experiment(plan);
+        new ExperimentRunner(plan);
     }
 
     private void requireFolder() {
@@ -79,7 +79,7 @@ public final class Experiment {
         try {
             DurableFiles.makeFolder(base);
         } catch (IOException e) {
-            throw new UserError(base + ": cannot be made: " + FileTrouble.sentence(e), e);
+            throw new UserError(base + ": cannot be made: " + FileErrors.sentence(e), e);
         }
         boolean isNew = plan.runs().stream().anyMatch(run -> !Files.exists(run.directory()));
         if (isNew && !Files.isWritable(base)) {
@@ -99,7 +99,7 @@ public final class Experiment {
                 run.requireAtLeast(status.get().generation());
             }
         } catch (IOException e) {
-            throw new UserError(run.directory() + ": cannot be read: " + FileTrouble.reason(e), e);
+            throw new UserError(run.directory() + ": cannot be read: " + FileErrors.reason(e), e);
         }
     }
 
@@ -158,7 +158,7 @@ public final class Experiment {
         try {
             ExperimentView.recordAsked(plan);
         } catch (IOException e) {
-            throw new UserError(plan.base() + ": cannot be written to: " + FileTrouble.reason(e), e);
+            throw new UserError(plan.base() + ": cannot be written to: " + FileErrors.reason(e), e);
         }
     }
 

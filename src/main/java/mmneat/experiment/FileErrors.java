@@ -7,9 +7,9 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
 /** Says in words what went wrong with a file, where an exception's own message is just the file's name. */
-public final class FileTrouble {
+public final class FileErrors {
 
-    private FileTrouble() {}
+    private FileErrors() {}
 
     /** The reason alone, to be put behind the name of the file. */
     public static String reason(IOException e) {

@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
-class ForcingScheduleTest {
+class SyncScheduleTest {
 
     private long nanos = Long.MAX_VALUE - 5;
-    private final ForcingSchedule schedule = new ForcingSchedule(() -> nanos);
+    private final SyncSchedule schedule = new SyncSchedule(() -> nanos);
 
     @Test
     void firstTime_isAlwaysDue() {

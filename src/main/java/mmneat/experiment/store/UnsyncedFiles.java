@@ -14,14 +14,14 @@ import java.util.zip.CRC32C;
  * What was written into a run's folder since it was last forced to the disk: if the machine fails, as against the program,
  * the operating system may have lost any of it. Checksums tell whether it is still there.
  */
-public final class UnforcedFiles {
+public final class UnsyncedFiles {
 
     private final Path directory;
 
     /** By the name of the file, relative to the folder. */
     private final SortedMap<String, Growing> files = new TreeMap<>();
 
-    UnforcedFiles(Path directory) {
+    UnsyncedFiles(Path directory) {
         this.directory = directory;
     }
 
