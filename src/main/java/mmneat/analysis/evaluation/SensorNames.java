@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 
 /**
  * Short names for the sensors, close to the paper's. "Trapped" is 1 if no junction lies between her and the ghost
@@ -23,6 +24,14 @@ public final class SensorNames {
         names.put(Pattern.compile("(\\d+) Closest Ghost Incoming"), "Ghost %d approaching");
         names.put(Pattern.compile("(\\d+) Closest Ghost Trapped"), "Ghost %d no way out");
         names.put(Pattern.compile("(\\d+) Closest Ghost Edible"), "Ghost %d edible");
+        names.put(
+                Pattern.compile("Edible Time Vs Distance to 0 Nearest (\\d+) Closest Ghost"), "Ghost %d time to spare");
+        names.put(Pattern.compile("Distance to 0 Nearest (\\d+) Closest Threat Ghost"), "Threat %d distance");
+        names.put(Pattern.compile("(\\d+) Closest Threat Ghost Incoming"), "Threat %d approaching");
+        names.put(Pattern.compile("(\\d+) Closest Threat Ghost Trapped"), "Threat %d no way out");
+        names.put(Pattern.compile("Distance to 0 Nearest (\\d+) Closest Edible Ghost"), "Edible ghost %d distance");
+        names.put(Pattern.compile("(\\d+) Closest Edible Ghost Incoming"), "Edible ghost %d approaching");
+        names.put(Pattern.compile("(\\d+) Closest Edible Ghost Trapped"), "Edible ghost %d no way out");
         names.put(Pattern.compile("Distance to 0 Nearest Pill"), "Pill distance");
         names.put(Pattern.compile("Distance to 0 Nearest Power Pill"), "Power pill distance");
         names.put(Pattern.compile("Distance to 0 Nearest Junction"), "Junction distance");
@@ -41,11 +50,25 @@ public final class SensorNames {
 
     /** Short names for a task's input labels, in their order; a label that is not known stays as it is. */
     public static List<String> of(List<String> labels) {
-        return labels.stream().map(SensorNames::of).toList();
+        List<String> plain = labels.stream()
+                .map(label -> DIRECTION.matcher(label).replaceFirst(""))
+                .toList();
+        return IntStream.range(0, plain.size())
+                .mapToObj(i -> of(withKind(plain, i)))
+                .toList();
     }
 
-    private static String of(String label) {
-        String plain = DIRECTION.matcher(label).replaceFirst("");
+    /** The original gives one label to the threat and to the edible ghost, in this order. */
+    private static String withKind(List<String> labels, int i) {
+        String label = labels.get(i);
+        boolean isFirst = i + 1 < labels.size() && label.equals(labels.get(i + 1));
+        boolean isSecond = i > 0 && label.equals(labels.get(i - 1));
+        return isFirst || isSecond
+                ? label.replace("Closest Ghost", isFirst ? "Closest Threat Ghost" : "Closest Edible Ghost")
+                : label;
+    }
+
+    private static String of(String plain) {
         for (Map.Entry<Pattern, String> name : NAMES.entrySet()) {
             Matcher matcher = name.getKey().matcher(plain);
             if (matcher.matches()) {

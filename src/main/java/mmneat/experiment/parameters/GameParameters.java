@@ -1,6 +1,7 @@
 package mmneat.experiment.parameters;
 
 import java.lang.reflect.RecordComponent;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -12,6 +13,7 @@ import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ModuleDivisions;
 import mmneat.mspacman.sensors.Sensor;
+import mmneat.mspacman.sensors.SensorGroup;
 import mmneat.mspacman.sensors.SensorSettings;
 import mmneat.neat.network.ModuleArbitration;
 import pacman.controllers.NewGhostController;
@@ -65,6 +67,7 @@ record GameParameters(
         boolean trapped,
         boolean eTimeVsGDis,
         boolean specific,
+        boolean specificGhostProximityOrder,
         boolean specificGhostEdibleThreatSplit,
         int smallStepSimDepth,
         boolean highLevel,
@@ -158,19 +161,27 @@ record GameParameters(
 
     private SensorSettings sensors(TaskVersion version) {
         return new SensorSettings(
+                sensorGroups(version),
                 junctionsToSense,
-                incoming,
-                trapped,
-                eTimeVsGDis,
-                version == TaskVersion.BLENDED,
-                specific,
-                specificGhostEdibleThreatSplit,
                 smallStepSimDepth,
-                !infiniteEdibleTime,
                 edibleTime,
                 CLOSE_TO_POWER_PILL,
-                highLevel,
                 sensorsOfOnesOwn());
+    }
+
+    private Set<SensorGroup> sensorGroups(TaskVersion version) {
+        Map<SensorGroup, Boolean> choice = new EnumMap<>(SensorGroup.class);
+        choice.put(SensorGroup.NUMBERED_GHOSTS, specific);
+        choice.put(SensorGroup.NEAREST_GHOSTS, specificGhostProximityOrder);
+        choice.put(SensorGroup.NEAREST_OF_EACH_KIND, specificGhostEdibleThreatSplit);
+        choice.put(SensorGroup.APPROACHING, incoming);
+        choice.put(SensorGroup.TRAPPED, trapped);
+        choice.put(SensorGroup.TIME_VERSUS_DISTANCE, eTimeVsGDis);
+        choice.put(SensorGroup.EDIBLE, version == TaskVersion.BLENDED);
+        choice.put(SensorGroup.EDIBLE_PROPORTIONS, !infiniteEdibleTime);
+        choice.put(SensorGroup.OPTIONS_AFTER_JUNCTION, highLevel);
+        choice.values().removeIf(wanted -> !wanted);
+        return choice.keySet();
     }
 
     private List<Sensor> sensorsOfOnesOwn() {

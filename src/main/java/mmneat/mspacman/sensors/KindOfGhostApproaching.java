@@ -1,26 +1,24 @@
 package mmneat.mspacman.sensors;
 
 /**
- * 1 if the nth nearest ghost is of a kind and its way to Ms. Pac-Man comes in from this direction, else 0. Not part of the published experiments.
+ * 1 if the path of the nth nearest ghost of a kind to Ms. Pac-Man, without turning back, comes in from this direction, else 0;
+ * 0 if there is no such ghost.
  *
- * @param n rank of the ghost among those outside the lair by distance in this direction, from 0
- * @param edible whether edible ghosts count, else threats
+ * <p>Source: docs/specification/original-options.md, section 3.3, block C.
+ *
+ * @param n rank among the ghosts of this kind outside the lair by distance in this direction, from 0
+ * @param kind the ghosts that count
  */
-record KindOfGhostApproaching(int n, boolean edible) implements FlagSensor {
-
-    private int ghost(Observation observation) {
-        int ghost = observation.nthNearestGhost(n);
-        return ghost >= 0 && observation.isEdible(ghost) == edible ? ghost : -1;
-    }
+record KindOfGhostApproaching(int n, GhostKind kind) implements FlagSensor {
 
     @Override
     public String label() {
-        return n + " Closest " + (edible ? "Edible" : "Threat") + " Ghost Incoming";
+        return n + " Closest " + kind.label() + " Ghost Incoming";
     }
 
     @Override
     public boolean holds(Observation observation) {
-        int ghost = ghost(observation);
+        int ghost = observation.nthNearestGhost(n, kind);
         return ghost >= 0 && observation.isApproaching(ghost);
     }
 }

@@ -1,26 +1,23 @@
 package mmneat.mspacman.sensors;
 
 /**
- * Steps in this direction to the nth nearest ghost if it is of a kind, in [0, 1]; otherwise 1. Not part of the published experiments.
+ * Steps in this direction to the nth nearest ghost of a kind, in [0, 1]; 1 if there is no such ghost.
  *
- * @param n rank of the ghost among those outside the lair by distance in this direction, from 0
- * @param edible whether edible ghosts count, else threats
+ * <p>Source: docs/specification/original-options.md, section 3.3, block C.
+ *
+ * @param n rank among the ghosts of this kind outside the lair by distance in this direction, from 0
+ * @param kind the ghosts that count
  */
-record KindOfGhostDistance(int n, boolean edible) implements DistanceSensor {
-
-    private int ghost(Observation observation) {
-        int ghost = observation.nthNearestGhost(n);
-        return ghost >= 0 && observation.isEdible(ghost) == edible ? ghost : -1;
-    }
+record KindOfGhostDistance(int n, GhostKind kind) implements DistanceSensor {
 
     @Override
     public String label() {
-        return "Distance to 0 Nearest " + n + " Closest " + (edible ? "Edible" : "Threat") + " Ghost";
+        return "Distance to 0 Nearest " + n + " Closest " + kind.label() + " Ghost";
     }
 
     @Override
     public int steps(Observation observation) {
-        int ghost = ghost(observation);
+        int ghost = observation.nthNearestGhost(n, kind);
         return ghost < 0 ? -1 : observation.distanceToGhost(ghost);
     }
 }

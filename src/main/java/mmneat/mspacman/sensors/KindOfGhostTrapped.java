@@ -1,26 +1,24 @@
 package mmneat.mspacman.sensors;
 
 /**
- * 1 if the nth nearest ghost is of a kind and the way to it has no junction, else 0. Not part of the published experiments.
+ * 1 if the path to the nth nearest ghost of a kind has no junction, nor does the ghost stand on one, else 0; 0 if there is no
+ * such ghost. The original's label does not name the kind.
  *
- * @param n rank of the ghost among those outside the lair by distance in this direction, from 0
- * @param edible whether edible ghosts count, else threats
+ * <p>Source: docs/specification/original-options.md, sections 3.3, block C, and 3.4.
+ *
+ * @param n rank among the ghosts of this kind outside the lair by distance in this direction, from 0
+ * @param kind the ghosts that count
  */
-record KindOfGhostTrapped(int n, boolean edible) implements FlagSensor {
-
-    private int ghost(Observation observation) {
-        int ghost = observation.nthNearestGhost(n);
-        return ghost >= 0 && observation.isEdible(ghost) == edible ? ghost : -1;
-    }
+record KindOfGhostTrapped(int n, GhostKind kind) implements FlagSensor {
 
     @Override
     public String label() {
-        return n + " Closest " + (edible ? "Edible" : "Threat") + " Ghost Trapped";
+        return n + " Closest Ghost Trapped";
     }
 
     @Override
     public boolean holds(Observation observation) {
-        int ghost = ghost(observation);
+        int ghost = observation.nthNearestGhost(n, kind);
         return ghost >= 0 && observation.isTrapped(ghost);
     }
 }

@@ -451,6 +451,24 @@ public final class Observation {
         return n < ghostsOutside ? orderKeys[n] & 3 : -1;
     }
 
+    /**
+     * The ghost of a kind outside the lair that is nth nearest in this direction among its kind.
+     *
+     * @param n from 0
+     * @return its number, or -1 if there are no more than n
+     */
+    int nthNearestGhost(int n, GhostKind kind) {
+        boolean edible = kind == GhostKind.EDIBLE;
+        int left = n;
+        for (int position = 0; position < ghostsOutside; position++) {
+            int ghost = orderKeys[position] & 3;
+            if (isEdible(ghost) == edible && left-- == 0) {
+                return ghost;
+            }
+        }
+        return -1;
+    }
+
     /** Steps in this direction to a ghost outside the lair. */
     public int distanceToGhost(int ghost) {
         return ghostDistance[ghost];

@@ -27,42 +27,51 @@ public final class SensorSuite {
         for (int rank = 0; rank < settings.junctionsToSense(); rank++) {
             sensors.add(new JunctionDistance(rank));
         }
-        if (settings.specific()) {
-            for (int ghost = 0; ghost < Observation.GHOSTS; ghost++) {
-                sensors.add(new SpecificGhostDistance(ghost));
-                addIf(settings.incoming(), new SpecificGhostApproaching(ghost), sensors);
-            }
+        for (int ghost = 0; ghost < Observation.GHOSTS && settings.has(SensorGroup.NUMBERED_GHOSTS); ghost++) {
+            sensors.add(new SpecificGhostDistance(ghost));
+            addIf(settings.has(SensorGroup.APPROACHING), new SpecificGhostApproaching(ghost), sensors);
         }
-        for (int n = 0; n < Observation.GHOSTS; n++) {
+        for (int n = 0; n < Observation.GHOSTS && settings.has(SensorGroup.NEAREST_GHOSTS); n++) {
             addNthGhost(n, settings, sensors);
+        }
+        for (int n = 0; n < Observation.GHOSTS && settings.has(SensorGroup.NEAREST_OF_EACH_KIND); n++) {
+            addNthGhostOfEachKind(n, settings, sensors);
         }
         sensors.add(new MostPillsAhead(settings.smallStepSimDepth()));
         sensors.add(new MostJunctionsAhead(settings.smallStepSimDepth()));
         sensors.add(new ProportionPowerPills());
         sensors.add(new ProportionPills());
-        addIf(settings.edibleTimes(), new ProportionEdibleGhosts(), sensors);
-        addIf(settings.edibleTimes(), new ProportionEdibleTime(settings.edibleTime()), sensors);
+        boolean proportions = settings.has(SensorGroup.EDIBLE_PROPORTIONS);
+        addIf(proportions, new ProportionEdibleGhosts(), sensors);
+        addIf(proportions, new ProportionEdibleTime(settings.edibleTime()), sensors);
         sensors.add(new AnyGhostsEdible());
         sensors.add(new AllThreatsPresent());
         sensors.add(new CloseToPowerPill(settings.closePowerPillDistance()));
-        addIf(settings.highLevel(), new OptionsAfterJunction(), sensors);
+        addIf(settings.has(SensorGroup.OPTIONS_AFTER_JUNCTION), new OptionsAfterJunction(), sensors);
         sensors.addAll(settings.own());
         return new SensorSuite(sensors, settings);
     }
 
     private static void addNthGhost(int n, SensorSettings settings, List<Sensor> sensors) {
         sensors.add(new GhostDistance(n));
-        addIf(settings.incoming(), new GhostApproaching(n), sensors);
-        addIf(settings.trapped(), new GhostTrapped(n), sensors);
-        addIf(settings.eTimeVsGDis(), new GhostTimeVersusDistance(n, settings.edibleTime()), sensors);
-        addIf(settings.edible(), new GhostEdible(n), sensors);
-        if (settings.specificGhostEdibleThreatSplit()) {
-            sensors.add(new KindOfGhostDistance(n, false));
-            sensors.add(new KindOfGhostDistance(n, true));
-            addIf(settings.incoming(), new KindOfGhostApproaching(n, false), sensors);
-            addIf(settings.incoming(), new KindOfGhostApproaching(n, true), sensors);
-            addIf(settings.trapped(), new KindOfGhostTrapped(n, false), sensors);
-            addIf(settings.trapped(), new KindOfGhostTrapped(n, true), sensors);
+        addIf(settings.has(SensorGroup.APPROACHING), new GhostApproaching(n), sensors);
+        addIf(settings.has(SensorGroup.TRAPPED), new GhostTrapped(n), sensors);
+        addIf(
+                settings.has(SensorGroup.TIME_VERSUS_DISTANCE),
+                new GhostTimeVersusDistance(n, settings.edibleTime()),
+                sensors);
+        addIf(settings.has(SensorGroup.EDIBLE), new GhostEdible(n), sensors);
+    }
+
+    private static void addNthGhostOfEachKind(int n, SensorSettings settings, List<Sensor> sensors) {
+        for (GhostKind kind : GhostKind.values()) {
+            sensors.add(new KindOfGhostDistance(n, kind));
+        }
+        for (GhostKind kind : GhostKind.values()) {
+            addIf(settings.has(SensorGroup.APPROACHING), new KindOfGhostApproaching(n, kind), sensors);
+        }
+        for (GhostKind kind : GhostKind.values()) {
+            addIf(settings.has(SensorGroup.TRAPPED), new KindOfGhostTrapped(n, kind), sensors);
         }
     }
 

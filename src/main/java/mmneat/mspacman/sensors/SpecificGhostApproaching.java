@@ -1,17 +1,18 @@
 package mmneat.mspacman.sensors;
 
 /**
- * 1 if the way of a given ghost to Ms. Pac-Man comes in from this direction, else 0. Not part of the published experiments.
+ * 1 if the path of a given ghost to Ms. Pac-Man, without turning back, comes in from this direction, else 0; 0 while it is in the
+ * lair.
+ *
+ * <p>Source: docs/specification/original-options.md, section 3.3, block A.
  *
  * @param ghost Blinky 0, Pinky 1, Inky 2, Sue 3
  */
 record SpecificGhostApproaching(int ghost) implements FlagSensor {
 
-    private static final String[] NAMES = {"Blinky", "Pinky", "Inky", "Sue"};
-
     @Override
     public String label() {
-        return NAMES[ghost] + " Incoming";
+        return "Ghost " + ghost + " Incoming";
     }
 
     @Override

@@ -1,17 +1,17 @@
 package mmneat.mspacman.sensors;
 
 /**
- * Steps in this direction to a given ghost, in [0, 1]; 1 while it is in the lair. Not part of the published experiments.
+ * Steps in this direction to a given ghost, in [0, 1]; 1 while it is in the lair.
+ *
+ * <p>Source: docs/specification/original-options.md, section 3.3, block A.
  *
  * @param ghost Blinky 0, Pinky 1, Inky 2, Sue 3
  */
 record SpecificGhostDistance(int ghost) implements DistanceSensor {
 
-    private static final String[] NAMES = {"Blinky", "Pinky", "Inky", "Sue"};
-
     @Override
     public String label() {
-        return "Distance to " + NAMES[ghost];
+        return "Distance to 0 Nearest Ghost " + ghost;
     }
 
     @Override

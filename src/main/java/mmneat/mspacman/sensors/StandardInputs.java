@@ -12,6 +12,8 @@ final class StandardInputs {
      * the inputs, with the same tables of tangents; a test holds both forms together.
      */
 
+    private final boolean nearest;
+    private final boolean ofEachKind;
     private final boolean incoming;
     private final boolean trapped;
     private final boolean edible;
@@ -26,9 +28,11 @@ final class StandardInputs {
 
     StandardInputs(SensorSuite suite) {
         SensorSettings settings = suite.settings();
-        incoming = settings.incoming();
-        trapped = settings.trapped();
-        edible = settings.edible();
+        nearest = settings.has(SensorGroup.NEAREST_GHOSTS);
+        ofEachKind = settings.has(SensorGroup.NEAREST_OF_EACH_KIND);
+        incoming = settings.has(SensorGroup.APPROACHING);
+        trapped = settings.has(SensorGroup.TRAPPED);
+        edible = settings.has(SensorGroup.EDIBLE);
         distance = tangents(new NearestPillDistance());
         flag = tangents(new GhostEdible(0));
         pills = tangents(new MostPillsAhead(settings.smallStepSimDepth()));
@@ -40,9 +44,8 @@ final class StandardInputs {
     /** Whether a choice of sensors has no directional ones but those that are written here, before those of one's own. */
     static boolean serve(SensorSettings settings) {
         return settings.junctionsToSense() == 1
-                && !settings.eTimeVsGDis()
-                && !settings.specific()
-                && !settings.specificGhostEdibleThreatSplit();
+                && !settings.has(SensorGroup.TIME_VERSUS_DISTANCE)
+                && !settings.has(SensorGroup.NUMBERED_GHOSTS);
     }
 
     /** Hyperbolic tangents of a sensor's values. */
@@ -63,6 +66,22 @@ final class StandardInputs {
         activations[at++] = distance(observation.nearestPill());
         activations[at++] = distance(observation.nearestPowerPill());
         activations[at++] = distance(observation.nearestJunction());
+        if (nearest) {
+            at = writeNearestGhosts(observation, activations, at);
+        }
+        if (ofEachKind) {
+            at = writeGhostsOfEachKind(observation, activations, at);
+        }
+        activations[at++] = pills[observation.mostPillsAhead()];
+        activations[at] = junctions[observation.mostJunctionsAhead()];
+        if (optionsInput >= 0) {
+            activations[row + optionsInput] = options[observation.safeOptionsAfterJunction()];
+        }
+    }
+
+    /** Returns the place after the last input that it wrote. */
+    private int writeNearestGhosts(Observation observation, double[] activations, int first) {
+        int at = first;
         for (int n = 0; n < Observation.GHOSTS; n++) {
             int ghost = observation.nthNearestGhost(n);
             boolean exists = ghost >= 0;
@@ -77,10 +96,59 @@ final class StandardInputs {
                 activations[at++] = flag[exists && observation.isEdible(ghost) ? 1 : 0];
             }
         }
-        activations[at++] = pills[observation.mostPillsAhead()];
-        activations[at] = junctions[observation.mostJunctionsAhead()];
-        if (optionsInput >= 0) {
-            activations[row + optionsInput] = options[observation.safeOptionsAfterJunction()];
+        return at;
+    }
+
+    /** Returns the place after the last input that it wrote. */
+    private int writeGhostsOfEachKind(Observation observation, double[] activations, int first) {
+        int perRank = 2 + (incoming ? 2 : 0) + (trapped ? 2 : 0);
+        int end = first + Observation.GHOSTS * perRank;
+        int threat = first;
+        int edibleGhost = first + 1;
+        for (int n = 0; n < Observation.GHOSTS; n++) {
+            int ghost = observation.nthNearestGhost(n);
+            if (ghost < 0) {
+                break;
+            }
+            if (observation.isEdible(ghost)) {
+                writeGhostOfKind(observation, ghost, activations, edibleGhost);
+                edibleGhost += perRank;
+            } else {
+                writeGhostOfKind(observation, ghost, activations, threat);
+                threat += perRank;
+            }
+        }
+        for (; threat < end; threat += perRank) {
+            writeAbsence(activations, threat);
+        }
+        for (; edibleGhost < end; edibleGhost += perRank) {
+            writeAbsence(activations, edibleGhost);
+        }
+        return end;
+    }
+
+    /** The two kinds take turns, so one kind has every other input. */
+    private void writeGhostOfKind(Observation observation, int ghost, double[] activations, int first) {
+        int at = first;
+        activations[at] = distance(observation.distanceToGhost(ghost));
+        if (incoming) {
+            at += 2;
+            activations[at] = flag[observation.isApproaching(ghost) ? 1 : 0];
+        }
+        if (trapped) {
+            activations[at + 2] = flag[observation.isTrapped(ghost) ? 1 : 0];
+        }
+    }
+
+    private void writeAbsence(double[] activations, int first) {
+        int at = first;
+        activations[at] = distance(-1);
+        if (incoming) {
+            at += 2;
+            activations[at] = flag[0];
+        }
+        if (trapped) {
+            activations[at + 2] = flag[0];
         }
     }
 

@@ -94,7 +94,7 @@ public record InitialNetworks(
 
     /**
      * The inputs linked to an output, in the order in which their weights are drawn: a selection keeps the order of its
-     * shuffle. Source: spec/original-options.md, section 2.1.
+     * shuffle. Source: docs/specification/original-options.md, section 2.1.
      */
     private int[] sourcesOf(int output, ResumableRandom random) {
         if (layout.isPreference(output)) {

@@ -3,6 +3,7 @@ package mmneat.mspacman.sensors;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
@@ -28,13 +29,21 @@ class FastSensorsTest {
         compare(maze, SensorSettings.blended(), STATES_PER_MAZE);
     }
 
+    @ParameterizedTest
+    @MethodSource("mazes")
+    void sensorsOfEachKindOfGhost_equalSearchingOnes_inRandomStates(MazeTables maze) {
+        SensorSettings both = SensorSettings.blended().with(SensorGroup.NEAREST_OF_EACH_KIND);
+        compare(maze, both, STATES_PER_MAZE / 10);
+        compare(maze, both.without(SensorGroup.NEAREST_GHOSTS), STATES_PER_MAZE / 10);
+    }
+
     /** Settings with which all sensors are asked one by one. */
     @ParameterizedTest
     @MethodSource("mazes")
     void sensorsThatThePublishedExperimentsLeaveOut_equalSearchingOnes_inRandomStates(MazeTables maze) {
         compare(
                 maze,
-                new SensorSettings(3, true, true, true, true, true, true, 30, true, 200, 10, true, List.of()),
+                new SensorSettings(EnumSet.allOf(SensorGroup.class), 3, 30, 200, 10, List.of()),
                 STATES_PER_MAZE / 10);
     }
 

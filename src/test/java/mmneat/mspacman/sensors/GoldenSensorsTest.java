@@ -29,9 +29,37 @@ class GoldenSensorsTest {
     @ParameterizedTest
     @ValueSource(strings = {"blended", "interleaved", "isolated"})
     void sensors_equalTheOriginals_inEveryRecordedState(String version) throws IOException {
-        Path file = GoldenData.folder("sensors").resolve(version + ".jsonl.gz");
-        SensorSuite suite =
-                SensorSuite.of(version.equals("blended") ? SensorSettings.blended() : SensorSettings.imprisoned());
+        SensorSettings settings = version.equals("blended") ? SensorSettings.blended() : SensorSettings.imprisoned();
+        int vectors = compareAll(GoldenData.folder("sensors").resolve(version + ".jsonl.gz"), settings);
+        assertThat(vectors).isGreaterThan(1800);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"split", "split-and-order", "etime-specific", "all"})
+    void sensorsOfOtherOptions_equalTheOriginals_inEveryRecordedState(String options) throws IOException {
+        int vectors =
+                compareAll(GoldenData.folder("sensors-options").resolve(options + ".jsonl.gz"), settings(options));
+        assertThat(vectors).isEqualTo(696);
+    }
+
+    private static SensorSettings settings(String options) {
+        SensorSettings split = SensorSettings.blended().with(SensorGroup.NEAREST_OF_EACH_KIND);
+        return switch (options) {
+            case "split" -> split.without(SensorGroup.NEAREST_GHOSTS).without(SensorGroup.EDIBLE);
+            case "split-and-order" -> split;
+            case "etime-specific" -> timesOfNumberedGhosts(SensorSettings.blended());
+            case "all" -> timesOfNumberedGhosts(split);
+            default -> throw new IllegalArgumentException(options);
+        };
+    }
+
+    private static SensorSettings timesOfNumberedGhosts(SensorSettings settings) {
+        return settings.with(SensorGroup.TIME_VERSUS_DISTANCE).with(SensorGroup.NUMBERED_GHOSTS);
+    }
+
+    /** Compares a file of recorded states; returns the number of input vectors. */
+    private static int compareAll(Path file, SensorSettings settings) throws IOException {
+        SensorSuite suite = SensorSuite.of(settings);
         NetworkInputs senses = suite.newInputs();
         ObjectMapper json = new ObjectMapper();
         try (BufferedReader lines = new BufferedReader(
@@ -44,7 +72,7 @@ class GoldenSensorsTest {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 vectors += compare(suite, senses, json.readTree(line));
             }
-            assertThat(vectors).isGreaterThan(1800);
+            return vectors;
         }
     }
 

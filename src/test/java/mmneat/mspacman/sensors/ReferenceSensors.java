@@ -39,14 +39,23 @@ final class ReferenceSensors {
                 .sorted()
                 .limit(settings.junctionsToSense())
                 .forEach(length -> inputs.add(scaled(length)));
-        for (int ghost = 0; ghost < 4 && settings.specific(); ghost++) {
+        for (int ghost = 0; ghost < 4 && settings.has(SensorGroup.NUMBERED_GHOSTS); ghost++) {
             boolean isOutside = state.lair[ghost] == 0;
             inputs.add(isOutside ? ghostDistance(ghost, d) : 1.0);
             inputs.add(flag(isOutside && isApproaching(ghost, d)));
         }
-        List<Integer> order = ghostsByDistance(d);
-        for (int n = 0; n < 4; n++) {
-            addNthGhost(n < order.size() ? order.get(n) : -1, d, settings, inputs);
+        if (settings.has(SensorGroup.NEAREST_GHOSTS)) {
+            List<Integer> order = ghostsByDistance(d, ghost -> true);
+            for (int n = 0; n < 4; n++) {
+                addNthGhost(nth(n, order), d, settings, inputs);
+            }
+        }
+        if (settings.has(SensorGroup.NEAREST_OF_EACH_KIND)) {
+            List<Integer> threats = ghostsByDistance(d, ghost -> state.edible[ghost] == 0);
+            List<Integer> edible = ghostsByDistance(d, ghost -> state.edible[ghost] > 0);
+            for (int n = 0; n < 4; n++) {
+                addNthOfEachKind(nth(n, threats), nth(n, edible), d, inputs);
+            }
         }
         int depth = settings.smallStepSimDepth();
         inputs.add(mostOnWalks(d, depth, node -> state.isPillActive(graph.pillNumber(node))) / 8.0);
@@ -69,24 +78,29 @@ final class ReferenceSensors {
     /** @param ghost -1 if there are not so many outside the lair */
     private void addNthGhost(int ghost, int d, SensorSettings settings, List<Double> inputs) {
         boolean exists = ghost >= 0;
-        boolean isEdible = exists && state.edible[ghost] > 0;
         inputs.add(exists ? ghostDistance(ghost, d) : 1.0);
         inputs.add(flag(exists && isApproaching(ghost, d)));
         inputs.add(flag(exists && isTrapped(ghost, d)));
-        if (settings.eTimeVsGDis()) {
-            int spare = isEdible ? state.edible[ghost] - path(state.pacMan, state.ghostNode[ghost], d).length : 0;
-            inputs.add(Math.max(-1.0, Math.min(1.0, spare / 200.0)));
+        if (settings.has(SensorGroup.TIME_VERSUS_DISTANCE)) {
+            int spare = exists ? state.edible[ghost] - path(state.pacMan, state.ghostNode[ghost], d).length : 0;
+            inputs.add(exists ? Math.max(-1.0, Math.min(1.0, spare / 200.0)) : -1.0);
         }
-        inputs.add(flag(isEdible));
-        if (settings.specificGhostEdibleThreatSplit()) {
-            boolean isThreat = exists && !isEdible;
-            inputs.add(isThreat ? ghostDistance(ghost, d) : 1.0);
-            inputs.add(isEdible ? ghostDistance(ghost, d) : 1.0);
-            inputs.add(flag(isThreat && isApproaching(ghost, d)));
-            inputs.add(flag(isEdible && isApproaching(ghost, d)));
-            inputs.add(flag(isThreat && isTrapped(ghost, d)));
-            inputs.add(flag(isEdible && isTrapped(ghost, d)));
+        if (settings.has(SensorGroup.EDIBLE)) {
+            inputs.add(flag(exists && state.edible[ghost] > 0));
         }
+    }
+
+    private void addNthOfEachKind(int threat, int edible, int d, List<Double> inputs) {
+        inputs.add(threat >= 0 ? ghostDistance(threat, d) : 1.0);
+        inputs.add(edible >= 0 ? ghostDistance(edible, d) : 1.0);
+        inputs.add(flag(threat >= 0 && isApproaching(threat, d)));
+        inputs.add(flag(edible >= 0 && isApproaching(edible, d)));
+        inputs.add(flag(threat >= 0 && isTrapped(threat, d)));
+        inputs.add(flag(edible >= 0 && isTrapped(edible, d)));
+    }
+
+    private static int nth(int n, List<Integer> ghosts) {
+        return n < ghosts.size() ? ghosts.get(n) : -1;
     }
 
     private double ghostDistance(int ghost, int d) {
@@ -156,10 +170,10 @@ final class ReferenceSensors {
         return targets.isEmpty() ? -1 : pathLength(state.pacMan, nearest(state.pacMan, targets, d), d);
     }
 
-    private List<Integer> ghostsByDistance(int d) {
+    private List<Integer> ghostsByDistance(int d, IntPredicate counts) {
         List<Integer> ghosts = new ArrayList<>();
         for (int ghost = 0; ghost < 4; ghost++) {
-            if (state.lair[ghost] == 0) {
+            if (state.lair[ghost] == 0 && counts.test(ghost)) {
                 ghosts.add(ghost);
             }
         }

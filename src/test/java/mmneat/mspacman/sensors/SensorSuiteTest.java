@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import pacman.game.Constants.MOVE;
@@ -45,25 +46,12 @@ class SensorSuiteTest {
     }
 
     private static SensorSettings everything(List<Sensor> own) {
-        return new SensorSettings(3, true, true, true, true, true, true, 20, true, 200, 10, true, own);
+        return new SensorSettings(EnumSet.allOf(SensorGroup.class), 3, 20, 200, 10, own);
     }
 
     private static SensorSettings blendedWith(Sensor... own) {
         SensorSettings blended = SensorSettings.blended();
-        return new SensorSettings(
-                1,
-                true,
-                true,
-                false,
-                true,
-                false,
-                false,
-                30,
-                true,
-                200,
-                blended.closePowerPillDistance(),
-                true,
-                List.of(own));
+        return new SensorSettings(blended.groups(), 1, 30, 200, blended.closePowerPillDistance(), List.of(own));
     }
 
     @Test
@@ -82,12 +70,30 @@ class SensorSuiteTest {
 
     @Test
     void switches_addAndDropSensors() {
-        SensorSettings bare =
-                new SensorSettings(1, false, false, false, false, false, false, 30, false, 200, 10, false, List.of());
+        SensorSettings bare = new SensorSettings(EnumSet.noneOf(SensorGroup.class), 1, 30, 200, 10, List.of());
 
-        assertThat(SensorSuite.of(bare).size()).isEqualTo(4 + 4 + 2 + 2 + 3);
-        // Bias, pill, power pill, 3 junctions; 8 by name; 4 times (5 plain and 6 by kind); 10 of the whole.
+        assertThat(SensorSuite.of(bare).size()).isEqualTo(4 + 2 + 2 + 3);
+        // Bias, pill, power pill, 3 junctions; 8 by number; 4 times (5 plain and 6 by kind); 10 of the whole.
         assertThat(SensorSuite.of(everything(List.of())).size()).isEqualTo(6 + 8 + 4 * 11 + 10);
+    }
+
+    /** Source: docs/specification/original-options.md, section 3.2, second table. */
+    @Test
+    void splitSensors_haveTheOriginalsNumberOfInputs() {
+        for (SensorSettings published : List.of(SensorSettings.blended(), SensorSettings.imprisoned())) {
+            SensorSettings both = published.with(SensorGroup.NEAREST_OF_EACH_KIND);
+            int size = SensorSuite.of(published).size();
+
+            assertThat(SensorSuite.of(both).size()).isEqualTo(size + 24);
+            assertThat(SensorSuite.of(both.without(SensorGroup.NEAREST_GHOSTS)).size())
+                    .isEqualTo(38);
+            SensorSettings timed =
+                    published.with(SensorGroup.TIME_VERSUS_DISTANCE).with(SensorGroup.NUMBERED_GHOSTS);
+            assertThat(SensorSuite.of(timed).size()).isEqualTo(size + 12);
+            assertThat(SensorSuite.of(timed.with(SensorGroup.NEAREST_OF_EACH_KIND))
+                            .size())
+                    .isEqualTo(size + 36);
+        }
     }
 
     @Test
@@ -130,8 +136,7 @@ class SensorSuiteTest {
 
     @Test
     void settings_nameParameterValueAndRange() {
-        assertThatThrownBy(() -> new SensorSettings(
-                        1, true, true, false, true, false, false, 100, true, 200, 10, true, List.of()))
+        assertThatThrownBy(() -> new SensorSettings(EnumSet.noneOf(SensorGroup.class), 1, 100, 200, 10, List.of()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("smallStepSimDepth must be from 1 to 60, is 100");
     }
