@@ -6,11 +6,14 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.function.Consumer;
-import mmneat.random.ResumableRandom;
+import java.util.function.Supplier;
 import pacman.controllers.Controller;
 import pacman.controllers.HumanController;
+import pacman.controllers.KeyBoardInput;
 import pacman.controllers.examples.Legacy;
 import pacman.controllers.examples.StarterPacMan;
 import pacman.game.Constants;
@@ -32,8 +35,18 @@ import pacman.game.GameView;
  */
 public class Executor {
 
+    /** How long a step of a timed game lasts. */
+    public enum Pace {
+        /** Real time: {@value Constants#DELAY} ms, however soon the controllers answer. */
+        REAL_TIME,
+        /** Until both controllers have answered, at most {@value Constants#DELAY} ms. */
+        UNTIL_ANSWERED
+    }
+
     /** Seed of the games' seeds in a batch. */
     private static final long BATCH_SEED = 0;
+
+    private static final int KEY_LOOK_MILLISECONDS = 10;
 
     private static final Consumer<Game> NOTHING = game -> {};
 
@@ -47,16 +60,61 @@ public class Executor {
     /** Plays games with fixed seeds and prints the score of each, and at the end their mean. */
     public void runExperiment(
             Controller<MOVE> pacManController, Controller<EnumMap<GHOST, MOVE>> ghostController, int trials) {
-        ResumableRandom seeds = new ResumableRandom(BATCH_SEED);
+        GameSeries games = new GameSeries(GameRules.competition(), BATCH_SEED);
         UntimedRun run = new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.PER_CONTROLLER);
         double sum = 0;
         for (int trial = 0; trial < trials; trial++) {
-            Game game = new Game(seeds.nextLong());
+            Game game = games.next();
             run.play(game);
             sum += game.getScore();
             System.out.println(trial + "\t" + game.getScore());
         }
         System.out.println(sum / trials);
+    }
+
+    /**
+     * Plays competition games and returns their scores; prints nothing.
+     *
+     * @param pacMan makes Ms. Pac-Man's controller, a new one for each game
+     * @param ghosts makes the ghosts' controller, a new one for each game
+     * @param games number of games, at least 1
+     * @param seed the same seed gives the same games
+     */
+    public ExperimentResult runExperiment(
+            Supplier<? extends Controller<MOVE>> pacMan,
+            Supplier<? extends Controller<EnumMap<GHOST, MOVE>>> ghosts,
+            int games,
+            long seed) {
+        return runExperiment(pacMan, ghosts, games, seed, GameRules.competition());
+    }
+
+    /**
+     * Plays games by given rules and returns their scores; prints nothing.
+     *
+     * @param pacMan makes Ms. Pac-Man's controller, a new one for each game
+     * @param ghosts makes the ghosts' controller, a new one for each game
+     * @param games number of games, at least 1
+     * @param seed the same seed and rules give the same games
+     */
+    public ExperimentResult runExperiment(
+            Supplier<? extends Controller<MOVE>> pacMan,
+            Supplier<? extends Controller<EnumMap<GHOST, MOVE>>> ghosts,
+            int games,
+            long seed,
+            GameRules rules) {
+        if (games < 1) {
+            throw new IllegalArgumentException("games must be at least 1, is " + games);
+        }
+        GameSeries series = new GameSeries(rules, seed);
+        List<Integer> scores = new ArrayList<>();
+        long steps = 0;
+        for (int number = 0; number < games; number++) {
+            Game game = series.next();
+            runExperiment(pacMan.get(), ghosts.get(), game);
+            scores.add(game.getScore());
+            steps += game.getTotalTime();
+        }
+        return new ExperimentResult(scores, steps);
     }
 
     /** Plays the given game to its end. */
@@ -116,6 +174,24 @@ public class Executor {
             view.getFrame().dispose();
         }
         return game;
+    }
+
+    /**
+     * Plays the given game with controllers in threads of their own, and tells how punctual they were. A controller that throws
+     * is frozen on its last answer, and the game goes on.
+     *
+     * @param visual whether the game is shown, where there is a display
+     */
+    public TimedReport runGameTimed(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            Game game,
+            Pace pace,
+            boolean visual) {
+        TimedRun.Waiting waiting =
+                pace == Pace.REAL_TIME ? TimedRun.Waiting.FULL_DELAY : TimedRun.Waiting.UNTIL_ANSWERED;
+        GameView view = visual ? window(game, pacManController) : null;
+        return new TimedRun(pacManController, ghostController, waiting).play(game, painter(view));
     }
 
     /** Plays a game with seed 0 in which a tick ends when both controllers have answered, or after 40 ms. */
@@ -228,13 +304,27 @@ public class Executor {
         }
     }
 
-    /** Opens a window; a human's key presses are taken from it. */
+    /** Opens a window; a human's key presses are taken from it, and the game waits for the first of them. */
     private static GameView window(Game game, Controller<MOVE> pacManController) {
-        GameView view = new GameView(game).showGame();
-        if (view.getFrame() != null && pacManController instanceof HumanController human) {
-            view.getFrame().addKeyListener(human.getKeyboardInput());
+        GameView view = new GameView(game);
+        if (!(pacManController instanceof HumanController human)) {
+            return view.showGame();
         }
+        view.announce("Press an arrow key");
+        view.showGame();
+        if (view.getFrame() != null) {
+            view.getFrame().addKeyListener(human.getKeyboardInput());
+            awaitKey(human.getKeyboardInput());
+        }
+        view.announce("");
         return view;
+    }
+
+    /** Returns when a key was pressed, or when the thread is interrupted. */
+    static void awaitKey(KeyBoardInput input) {
+        while (input.getKey() == 0 && !Thread.currentThread().isInterrupted()) {
+            pause(KEY_LOOK_MILLISECONDS);
+        }
     }
 
     /** Unlike the original this one paints the last state too, as release 6.2 did. */

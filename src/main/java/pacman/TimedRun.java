@@ -3,6 +3,7 @@ package pacman;
 import java.util.EnumMap;
 import java.util.function.Consumer;
 import pacman.controllers.Controller;
+import pacman.controllers.Decisions;
 import pacman.game.Constants;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -30,6 +31,11 @@ final class TimedRun {
     private final Controller<MOVE> pacMan;
     private final Controller<EnumMap<GHOST, MOVE>> ghosts;
     private final Waiting waiting;
+    private int steps;
+    /** Steps in which a controller had answered the state of that step. */
+    private int punctualPacMan;
+
+    private int punctualGhosts;
 
     TimedRun(Controller<MOVE> pacMan, Controller<EnumMap<GHOST, MOVE>> ghosts, Waiting waiting) {
         this.pacMan = pacMan;
@@ -41,8 +47,9 @@ final class TimedRun {
      * Plays until the game is over; then both controllers are terminated, after one more decision.
      *
      * @param afterTick called after each tick with the game
+     * @return how punctual the controllers were; the decision after the end does not count
      */
-    void play(Game game, Consumer<Game> afterTick) {
+    TimedReport play(Game game, Consumer<Game> afterTick) {
         supervise(pacMan);
         supervise(ghosts);
         try {
@@ -50,15 +57,30 @@ final class TimedRun {
                 pacMan.update(game.copy(), System.currentTimeMillis() + Constants.DELAY);
                 ghosts.update(game.copy(), System.currentTimeMillis() + Constants.DELAY);
                 await();
+                steps++;
+                punctualPacMan += Decisions.of(pacMan).isUpToDate() ? 1 : 0;
+                punctualGhosts += Decisions.of(ghosts).isUpToDate() ? 1 : 0;
                 game.advanceGame(pacMan.getMove(), ghosts.getMove());
                 afterTick.accept(game);
             }
+            return report();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+            return report();
         } finally {
             pacMan.terminate();
             ghosts.terminate();
         }
+    }
+
+    private TimedReport report() {
+        return new TimedReport(side(pacMan, punctualPacMan), side(ghosts, punctualGhosts));
+    }
+
+    private TimedReport.Side side(Controller<?> controller, int punctual) {
+        Decisions decisions = Decisions.of(controller);
+        int late = Math.max(0, decisions.answers() - punctual);
+        return new TimedReport.Side(steps, late, steps - punctual, decisions.failure());
     }
 
     private static void supervise(Controller<?> controller) {

@@ -3,6 +3,7 @@ package pacman;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.awt.event.KeyEvent;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -13,6 +14,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.atomic.AtomicInteger;
+import javax.swing.JLabel;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -345,5 +349,114 @@ class ExecutorTest {
         assertThat(printed(() -> Executor.saveToFile("d", folder.toString(), false))
                         .lines())
                 .containsExactly("Could not save data!");
+    }
+
+    @Test
+    void experiment_returnsTheScoresOfItsGames_andPrintsNothing() {
+        ExperimentResult[] results = new ExperimentResult[2];
+        String text = printed(() -> {
+            results[0] = executor.runExperiment(StarterPacMan::new, Legacy::new, 3, 7);
+            results[1] = executor.runExperiment(StarterPacMan::new, Legacy::new, 3, 7, GameRules.competition());
+        });
+        assertThat(text).isEmpty();
+        assertThat(results[0]).isEqualTo(results[1]);
+        GameSeries series = new GameSeries(GameRules.competition(), 7);
+        long steps = 0;
+        for (int score : results[0].scores()) {
+            Game game = series.next();
+            executor.runExperiment(new StarterPacMan(), new Legacy(), game);
+            assertThat(game.getScore()).isEqualTo(score);
+            steps += game.getTotalTime();
+        }
+        assertThat(results[0].steps()).isEqualTo(steps);
+        assertThatThrownBy(() -> executor.runExperiment(StarterPacMan::new, Legacy::new, 0, 7))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("games must be at least 1, is 0");
+    }
+
+    @Test
+    void result_hasMeanAndDeviation() {
+        ExperimentResult result = new ExperimentResult(List.of(100, 300, 200), 30);
+        assertThat(result.mean()).isEqualTo(200);
+        assertThat(result.standardDeviation()).isEqualTo(100);
+        assertThat(new ExperimentResult(List.of(5), 1).standardDeviation()).isNaN();
+        assertThatThrownBy(() -> new ExperimentResult(List.of(), 0)).hasMessageContaining("at least one game");
+    }
+
+    @Test
+    void humansGame_waitsForTheFirstKey() throws InterruptedException {
+        KeyBoardInput input = new KeyBoardInput();
+        Thread waiting = new Thread(() -> Executor.awaitKey(input));
+        waiting.start();
+        while (waiting.getState() != Thread.State.TIMED_WAITING) {
+            Thread.onSpinWait();
+        }
+        assertThat(waiting.isAlive()).isTrue();
+        JLabel window = new JLabel();
+        input.keyPressed(new KeyEvent(window, KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_LEFT, KeyEvent.CHAR_UNDEFINED));
+        waiting.join();
+    }
+
+    /** Answers the first state after the step for which it is wanted, and notes how many threads are in it. */
+    private static final class Tardy extends Controller<MOVE> {
+        private final AtomicInteger inside = new AtomicInteger();
+        private volatile int most;
+        private final Semaphore allowed = new Semaphore(0);
+
+        @Override
+        public MOVE getMove(Game game, long timeDue) {
+            most = Math.max(most, inside.incrementAndGet());
+            allowed.acquireUninterruptibly();
+            inside.decrementAndGet();
+            return game.getTotalTime() > 5 ? null : MOVE.LEFT;
+        }
+    }
+
+    @Test
+    void timedReport_namesLateAnswersAndRepeatedMovesPerSide() {
+        Tardy tardy = new Tardy();
+        Game game = mmneatGame(0);
+        AtomicInteger steps = new AtomicInteger();
+        TimedRun run = new TimedRun(tardy, new NoGhosts(), TimedRun.Waiting.UNTIL_ANSWERED);
+        // The first state is answered after its step, no other is.
+        TimedReport report = run.play(game, state -> {
+            if (steps.incrementAndGet() == 1) {
+                tardy.allowed.release();
+            }
+        });
+        tardy.allowed.release(100);
+        assertThat(report.pacMan().steps()).isEqualTo(steps.get());
+        assertThat(report.pacMan().lateAnswers()).isOne();
+        assertThat(report.pacMan().repeatedMoves()).isEqualTo(steps.get());
+        assertThat(report.pacMan().exceptions()).isZero();
+        assertThat(report.ghosts().exceptions()).isZero();
+        assertThat(tardy.most).isOne();
+    }
+
+    @Test
+    void timedReport_namesTheException_andTheStepsPlayedWithoutTheController() {
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> {});
+        try {
+            TimedReport report = executor.runGameTimed(
+                    new Throwing(), new NoGhosts(), mmneatGame(0), Executor.Pace.UNTIL_ANSWERED, false);
+            assertThat(report.pacMan().exceptions()).isOne();
+            assertThat(report.pacMan().failure()).hasMessage("no idea at 0");
+            assertThat(report.pacMan().repeatedMoves())
+                    .isEqualTo(report.pacMan().steps())
+                    .isEqualTo(12);
+        } finally {
+            Thread.setDefaultUncaughtExceptionHandler(before);
+        }
+    }
+
+    @Test
+    void realTime_isAtLeastFortyMillisecondsPerStep_howeverSoonTheAnswers() {
+        long start = System.nanoTime();
+        TimedReport report =
+                executor.runGameTimed(new Silent(), new NoGhosts(), mmneatGame(0), Executor.Pace.REAL_TIME, false);
+        long milliseconds = (System.nanoTime() - start) / 1_000_000;
+        assertThat(report.pacMan().steps()).isEqualTo(12);
+        assertThat(milliseconds).isGreaterThanOrEqualTo(12L * Constants.DELAY);
     }
 }

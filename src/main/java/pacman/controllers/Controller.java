@@ -9,7 +9,8 @@ import pacman.game.Game;
  * each {@link #update} it starts a worker thread that computes a decision and stores it in {@link #lastMove}. While a
  * worker is busy, further updates only replace the game that the next worker will see: nothing is caught up afterwards.
  * A worker whose decision throws leaves the controller frozen on its last answer; the thread's name, which Java prints
- * with the exception, is the controller's.
+ * with the exception, is the controller's. Workers never decide at the same time: one that is left over from an earlier timed
+ * game is waited for. {@link Decisions} counts what the workers did.
  *
  * <p>Source: the competition's programming interface, release 6.2; docs/specification/controllers.md, section 2.
  *
@@ -20,12 +21,21 @@ public abstract class Controller<T> implements Runnable {
     /** The stored answer; a long computation may set it early to save a provisional one. Null until then. */
     protected volatile T lastMove;
 
+    /** Held by the worker that decides. */
+    private final Object deciding = new Object();
+
     private volatile boolean alive;
     private volatile boolean signalled;
     private volatile boolean computed;
     private volatile boolean busy;
     private volatile Game game;
     private volatile long timeDue;
+
+    // Since the last revival; see Decisions.
+    private int updates;
+    private int answeredUpdate;
+    private int answers;
+    private Throwable failure;
 
     /** Grows with each revival: a worker that is left over from an earlier timed game stores nothing in this one. */
     private volatile int revivals;
@@ -56,6 +66,10 @@ public abstract class Controller<T> implements Runnable {
             signalled = false;
             computed = false;
             busy = false;
+            updates = 0;
+            answeredUpdate = 0;
+            answers = 0;
+            failure = null;
         }
     }
 
@@ -69,6 +83,7 @@ public abstract class Controller<T> implements Runnable {
         synchronized (this) {
             this.game = game;
             this.timeDue = timeDue;
+            updates++;
             signalled = true;
             computed = false;
             notifyAll();
@@ -98,6 +113,7 @@ public abstract class Controller<T> implements Runnable {
                     return;
                 }
                 if (!busy) {
+                    busy = true;
                     int revival = revivals;
                     Thread worker = new Thread(
                             () -> decide(revival), "controller " + getClass().getName());
@@ -112,20 +128,46 @@ public abstract class Controller<T> implements Runnable {
 
     /** One worker's life. If the decision throws, the busy flag stays up, so that no other is started. */
     private void decide(int revival) {
-        synchronized (this) {
-            if (revival != revivals) {
-                return;
+        synchronized (deciding) {
+            Game asked;
+            long due;
+            int update;
+            synchronized (this) {
+                if (revival != revivals) {
+                    return;
+                }
+                asked = game;
+                due = timeDue;
+                update = updates;
             }
-            busy = true;
-        }
-        T move = getMove(game, timeDue);
-        synchronized (this) {
-            if (revival == revivals) {
-                lastMove = move;
-                computed = true;
-                busy = false;
+            T move;
+            try {
+                move = getMove(asked, due);
+            } catch (Throwable thrown) {
+                noteFailure(revival, thrown);
+                throw thrown;
+            }
+            synchronized (this) {
+                if (revival == revivals) {
+                    lastMove = move;
+                    answeredUpdate = update;
+                    answers++;
+                    computed = true;
+                    busy = false;
+                }
             }
         }
+    }
+
+    private synchronized void noteFailure(int revival, Throwable thrown) {
+        if (revival == revivals) {
+            failure = thrown;
+        }
+    }
+
+    /** A consistent view of what the workers did. */
+    final synchronized Decisions decisions() {
+        return new Decisions(updates, answers, answeredUpdate == updates, failure);
     }
 
     /** Whether a decision has ended since the last {@link #update}. */

@@ -3,8 +3,11 @@ package pacman.game;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
+import java.awt.RenderingHints;
 import java.awt.Toolkit;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -52,6 +55,9 @@ public final class GameView extends JComponent {
 
     private static final int PICTURE_WIDTH = Constants.GV_WIDTH * Constants.MAG;
     private static final int PICTURE_HEIGHT = Constants.GV_HEIGHT * Constants.MAG + 20;
+    /** Points of the labels' font: smaller than the default, so that score, level and time fit beside the lives. */
+    private static final float LABEL_SIZE = 10;
+
     private static final int SHOW_DELAY_MILLISECONDS = 2000;
 
     /** A window opens at the largest multiple of the picture's size that is not higher than this share of the screen. */
@@ -64,6 +70,7 @@ public final class GameView extends JComponent {
     /** The state that the event thread paints, since the game itself goes on in another thread. */
     private transient volatile Game painted;
 
+    private volatile String announcement = "";
     private MOVE facing;
     private GameFrame frame;
 
@@ -150,14 +157,33 @@ public final class GameView extends JComponent {
         }
     }
 
-    /** Draws the picture as large as the component, in whole multiples, so that pixels stay square and sharp. */
+    /**
+     * Draws the picture as large as the component allows, in the middle. In whole multiples of its size, pixels are square and
+     * sharp; between them, the next larger multiple is scaled down.
+     */
     private void drawScaled(BufferedImage image, Graphics screen) {
-        int scale = Math.max(1, Math.min(getWidth() / PICTURE_WIDTH, getHeight() / PICTURE_HEIGHT));
+        double scale = Math.min((double) getWidth() / PICTURE_WIDTH, (double) getHeight() / PICTURE_HEIGHT);
+        scale = scale > 0 ? scale : 1;
+        int width = (int) Math.round(scale * PICTURE_WIDTH);
+        int height = (int) Math.round(scale * PICTURE_HEIGHT);
         screen.setColor(Color.BLACK);
         screen.fillRect(0, 0, getWidth(), getHeight());
-        int left = Math.max(0, (getWidth() - scale * PICTURE_WIDTH) / 2);
-        int top = Math.max(0, (getHeight() - scale * PICTURE_HEIGHT) / 2);
-        screen.drawImage(image, left, top, scale * PICTURE_WIDTH, scale * PICTURE_HEIGHT, null);
+        int left = Math.max(0, (getWidth() - width) / 2);
+        int top = Math.max(0, (getHeight() - height) / 2);
+        if (scale == Math.rint(scale)) {
+            screen.drawImage(image, left, top, width, height, null);
+            return;
+        }
+        int multiple = (int) Math.ceil(scale);
+        BufferedImage large =
+                new BufferedImage(multiple * PICTURE_WIDTH, multiple * PICTURE_HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics graphics = large.createGraphics();
+        graphics.drawImage(image, 0, 0, large.getWidth(), large.getHeight(), null);
+        graphics.dispose();
+        Graphics2D smooth = (Graphics2D) screen.create();
+        smooth.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        smooth.drawImage(large, left, top, width, height, null);
+        smooth.dispose();
     }
 
     private static void save(BufferedImage image, String name) {
@@ -169,7 +195,7 @@ public final class GameView extends JComponent {
         }
     }
 
-    /** Paints in the order of docs/specification/controllers.md, section 7.2; the offsets are those of its table. */
+    /** Paints in the order of docs/specification/controllers.md, section 7.2; the offsets are those of its table, except for the text. */
     private void paintState(Graphics graphics, Game state) {
         graphics.setColor(Color.BLACK);
         graphics.fillRect(0, 0, PICTURE_WIDTH, PICTURE_HEIGHT);
@@ -250,19 +276,25 @@ public final class GameView extends JComponent {
         }
     }
 
-    private static void paintText(Graphics graphics, Game state) {
+    /** Says in the middle of the picture what the spectator has to do; an empty text takes the words away. */
+    public void announce(String text) {
+        announcement = text;
+        repaint();
+    }
+
+    private void paintText(Graphics graphics, Game state) {
         if (!MachineFonts.areAvailable()) {
             return;
         }
         graphics.setColor(Color.WHITE);
-        graphics.drawString("S: ", 4, 271);
-        graphics.drawString(Integer.toString(state.getScore()), 16, 271);
-        graphics.drawString("L: ", 78, 271);
-        graphics.drawString(Integer.toString(state.getCurrentLevel() + 1), 90, 271);
-        graphics.drawString("T: ", 116, 271);
-        graphics.drawString(Integer.toString(state.getCurrentLevelTime()), 129, 271);
-        if (state.gameOver()) {
-            graphics.drawString("Game Over", 80, 150);
+        graphics.setFont(graphics.getFont().deriveFont(LABEL_SIZE));
+        graphics.drawString("Score " + state.getScore(), 4, 271);
+        graphics.drawString("Level " + (state.getCurrentLevel() + 1), 76, 271);
+        graphics.drawString("Time " + state.getCurrentLevelTime(), 122, 271);
+        String middle = state.gameOver() ? "Game Over" : announcement;
+        if (!middle.isEmpty()) {
+            FontMetrics metrics = graphics.getFontMetrics();
+            graphics.drawString(middle, (PICTURE_WIDTH - metrics.stringWidth(middle)) / 2, 150);
         }
     }
 

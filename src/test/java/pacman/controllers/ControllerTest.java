@@ -6,6 +6,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -224,5 +225,54 @@ class ControllerTest {
         worker.join();
         assertThat(controller.getMove()).isNull();
         assertThat(controller.hasComputed()).isFalse();
+    }
+
+    /** Notes how many threads are in its decision at once. */
+    private static final class Crowded extends Controller<MOVE> {
+        private final AtomicInteger inside = new AtomicInteger();
+        private volatile boolean wasCrowded;
+
+        @Override
+        public MOVE getMove(Game game, long timeDue) {
+            wasCrowded |= inside.incrementAndGet() > 1;
+            Thread.yield();
+            inside.decrementAndGet();
+            return MOVE.UP;
+        }
+    }
+
+    @Test
+    void decisions_neverOverlap_howeverFastTheUpdatesCome_andAcrossRevivals() throws InterruptedException {
+        Crowded crowded = new Crowded();
+        for (int game = 0; game < 50; game++) {
+            Thread running = new Thread(crowded);
+            running.start();
+            for (int update = 0; update < 100; update++) {
+                crowded.update(first, 0);
+                Thread.yield();
+            }
+            crowded.terminate();
+            running.join();
+            crowded.threadRevive();
+        }
+        assertThat(crowded.wasCrowded).isFalse();
+    }
+
+    @Test
+    void leftOverDecision_isWaitedForInTheNextGame() throws InterruptedException {
+        start();
+        controller.update(first, 0);
+        assertThat(nextAsked()).isSameAs(first);
+        controller.terminate();
+        supervisor.join();
+        controller.threadRevive();
+        start();
+        controller.update(second, 0);
+        awaitWaitingSupervisor();
+        assertThat(controller.asked).as("the first decision has not ended").isEmpty();
+        controller.allowed.release(2);
+        assertThat(nextAsked()).isSameAs(second);
+        awaitComputed();
+        assertThat(Decisions.of(controller)).isEqualTo(new Decisions(1, 1, true, null));
     }
 }

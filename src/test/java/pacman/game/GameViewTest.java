@@ -1,11 +1,13 @@
 package pacman.game;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.image.BufferedImage;
+import java.util.stream.IntStream;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -46,21 +48,83 @@ class GameViewTest {
         assertThat(view.getPreferredSize()).isEqualTo(new Dimension(228, 280));
     }
 
-    @Test
-    void picture_growsWithTheWindow_inWholeMultiples() {
-        BufferedImage plain = painted();
-        view.setSize(2 * 228 + 60, 2 * 280 + 200);
-        BufferedImage large = new BufferedImage(view.getWidth(), view.getHeight(), BufferedImage.TYPE_INT_RGB);
-        Graphics graphics = large.createGraphics();
+    private BufferedImage painted(int width, int height) {
+        view.setSize(width, height);
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        Graphics graphics = image.createGraphics();
         view.paintComponent(graphics);
         graphics.dispose();
+        return image;
+    }
+
+    @Test
+    void picture_isSharp_inWindowsOfWholeMultiples() {
+        BufferedImage plain = painted();
+        BufferedImage large = painted(2 * 228 + 60, 2 * 280);
         for (int y = 0; y < 2 * 280; y++) {
             for (int x = 0; x < 2 * 228; x++) {
-                assertThat(large.getRGB(30 + x, 100 + y)).isEqualTo(plain.getRGB(x / 2, y / 2));
+                assertThat(large.getRGB(30 + x, y)).isEqualTo(plain.getRGB(x / 2, y / 2));
             }
         }
         assertThat(colour(large, 29, 100)).isEqualTo(Color.BLACK);
         assertThat(colour(large, 29, 400)).isEqualTo(Color.BLACK);
+    }
+
+    /** Columns and rows in which something is drawn: first and last. */
+    private static int[] drawnPart(BufferedImage image) {
+        int[] part = {image.getWidth(), image.getHeight(), -1, -1};
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                if ((image.getRGB(x, y) & 0xffffff) != 0) {
+                    part = new int[] {
+                        Math.min(part[0], x), Math.min(part[1], y), Math.max(part[2], x), Math.max(part[3], y)
+                    };
+                }
+            }
+        }
+        return part;
+    }
+
+    @Test
+    void picture_growsAndShrinksWithTheWindow() {
+        int[] plain = drawnPart(painted(228, 280));
+        for (double scale : new double[] {0.6, 1.25, 1.5, 2.7}) {
+            int[] part = drawnPart(painted((int) (228 * scale), (int) (280 * scale)));
+            for (int side = 0; side < 4; side++) {
+                assertThat((double) part[side]).isCloseTo(plain[side] * scale, within(2 * scale + 2));
+            }
+        }
+    }
+
+    @Test
+    void labels_areWords_andLeaveRoomForTheLives() {
+        BufferedImage image = painted();
+        for (int[] place : new int[][] {{4, 76}, {76, 122}, {122, 180}}) {
+            assertThat(whiteColumns(image, place[0], place[1])).isGreaterThan(20);
+        }
+        assertThat(whiteColumns(image, 172, 180)).isZero();
+    }
+
+    /** Columns of the line of text in which something is white. */
+    private static long whiteColumns(BufferedImage image, int from, int to) {
+        return IntStream.range(from, to)
+                .filter(x -> IntStream.range(262, 274)
+                        .anyMatch(y -> colour(image, x, y).equals(Color.WHITE)))
+                .count();
+    }
+
+    @Test
+    void announcement_isPainted_untilItIsTakenAway() {
+        BufferedImage before = painted();
+        view.announce("Press an arrow key");
+        assertThat(isSame(before, painted())).isFalse();
+        view.announce("");
+        assertThat(isSame(before, painted())).isTrue();
+    }
+
+    private static boolean isSame(BufferedImage first, BufferedImage second) {
+        return IntStream.range(0, 228 * 280)
+                .allMatch(i -> first.getRGB(i % 228, i / 228) == second.getRGB(i % 228, i / 228));
     }
 
     @Test

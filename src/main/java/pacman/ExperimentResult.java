@@ -1,0 +1,34 @@
+package pacman;
+
+import java.util.List;
+
+/**
+ * What the games of an experiment scored.
+ *
+ * @param scores the score of each game, in the order of the games; at least one
+ * @param steps steps of all games together
+ */
+public record ExperimentResult(List<Integer> scores, long steps) {
+
+    /** @throws IllegalArgumentException if there is no score */
+    public ExperimentResult {
+        scores = List.copyOf(scores);
+        if (scores.isEmpty()) {
+            throw new IllegalArgumentException("an experiment has at least one game");
+        }
+    }
+
+    /** Mean score. */
+    public double mean() {
+        return scores.stream().mapToInt(Integer::intValue).average().orElseThrow();
+    }
+
+    /** Sample standard deviation of the scores; NaN for a single game. */
+    public double standardDeviation() {
+        double mean = mean();
+        double squares = scores.stream()
+                .mapToDouble(score -> (score - mean) * (score - mean))
+                .sum();
+        return scores.size() == 1 ? Double.NaN : Math.sqrt(squares / (scores.size() - 1));
+    }
+}
