@@ -274,7 +274,7 @@ public class Executor {
         GameView view = null;
         for (String state : recording.states()) {
             game.setGameState(state);
-            if (game.getCurrentLevel() >= rules.maximumLevel()) {
+            if (game.getCurrentLevel() >= rules.levels().maximumLevel()) {
                 break;
             }
             if (visual) {

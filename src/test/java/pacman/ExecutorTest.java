@@ -205,7 +205,8 @@ class ExecutorTest {
             Game game = new Game(powerPill, rules, new ResumableRandom(powerPill));
             String text = executor.runGameRecorded(new StarterPacMan(), new Legacy(), game);
             Game last = executor.replayGame(new Recording(text.lines().toList()), rules, false, 0);
-            assertThat(last.getCurrentLevel()).isGreaterThanOrEqualTo(rules.maximumLevel());
+            assertThat(last.getCurrentLevel())
+                    .isGreaterThanOrEqualTo(rules.levels().maximumLevel());
             assertThat(last.getScore()).isEqualTo(game.getScore());
         }
     }
@@ -254,7 +255,8 @@ class ExecutorTest {
         Game fixed = mmneatGame(0);
         executor.runGameTimedSpeedOptimised(new Silent(), new Legacy(), true, true, fixed);
         assertThat(fixed.gameOver()).isTrue();
-        Game human = new Game(0, GameRules.mmneat().with().maximumLevel(1).build(), new ResumableRandom(0));
+        Game human = new Game(
+                0, GameRules.mmneat().withLevels(levels -> levels.withMaximumLevel(1)), new ResumableRandom(0));
         executor.runGame(new HumanController(new KeyBoardInput()), new Legacy(), human, true, 0);
         assertThat(human.gameOver()).isTrue();
     }
@@ -307,17 +309,14 @@ class ExecutorTest {
     @Test
     void replay_stopsWhenTheLastLevelIsOver() {
         GameRules shortLevels = GameRules.mmneat()
-                .with()
-                .levelTimeLimit(30)
-                .fatalTimeLimit(false)
-                .build();
+                .withLevels(levels -> levels.withLevelTimeLimit(30).withFatalTimeLimit(false));
         Game game = new Game(0, shortLevels, new ResumableRandom(0));
         List<String> states = new ArrayList<>();
         while (game.getCurrentLevel() < 2) {
             states.add(game.getGameState());
             game.advanceGame(MOVE.LEFT, null);
         }
-        GameRules oneLevel = shortLevels.with().maximumLevel(1).build();
+        GameRules oneLevel = shortLevels.withLevels(levels -> levels.withMaximumLevel(1));
         Game last = executor.replayGame(new Recording(states), oneLevel, false, 0);
         assertThat(last.getCurrentLevel()).isOne();
         assertThat(last.getCurrentLevelTime())

@@ -82,10 +82,10 @@ final class GameOptions {
         if (maze == null) {
             return chosen;
         }
-        if (chosen.ghostLocations() != null) {
-            return chosen.with().onlyMaze(recordedMaze(maze.toString())).build();
+        if (chosen.ghosts().ghostLocations() != null) {
+            return chosen.withMazes(mazes -> mazes.withOnlyMaze(recordedMaze(maze.toString())));
         }
-        return chosen.with().mazes(mazes(maze)).build();
+        return chosen.withMazes(mazes -> mazes.withMazes(mazes(maze)));
     }
 
     /** Recorded ghost locations belong to their mazes, which keep their numbers. */

@@ -63,9 +63,11 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
         GameRules rules = game.rules(recording.rules());
         try {
             Game replayed = new Executor().replayGame(recording, rules, view, view ? delay : 0);
-            boolean isWon = replayed.getCurrentLevel() >= rules.maximumLevel();
+            boolean isWon = replayed.getCurrentLevel() >= rules.levels().maximumLevel();
             out().println(recording.states().size() + " states: score " + replayed.getScore() + ", "
-                    + (isWon ? "all " + rules.maximumLevel() + " levels" : "level " + (replayed.getCurrentLevel() + 1))
+                    + (isWon
+                            ? "all " + rules.levels().maximumLevel() + " levels"
+                            : "level " + (replayed.getCurrentLevel() + 1))
                     + ", time " + replayed.getTotalTime() + ", lives " + replayed.getPacmanNumberOfLivesRemaining());
         } catch (IllegalArgumentException e) {
             String hint = game.hasMaze() ? "" : "; a game in a maze of your own needs the same maze=FILE";

@@ -92,7 +92,7 @@ public final class DirectionEvaluator {
      * @return 0 to 3, or {@link #END_GAME} if a limit of the level or its time is reached
      */
     public int decide(Game game, ResumableRandom random) {
-        if (game.getCurrentLevel() >= game.rules().maximumLevel()) {
+        if (game.getCurrentLevel() >= game.rules().levels().maximumLevel()) {
             return END_GAME;
         }
         flushAfterChange(game);

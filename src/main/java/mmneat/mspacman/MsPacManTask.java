@@ -196,7 +196,7 @@ public final class MsPacManTask implements Task {
         if (game.getPacmanNumberOfLivesRemaining() <= 0) {
             return GameEnd.LOST_ALL_LIVES;
         }
-        if (game.getCurrentLevel() >= game.rules().maximumLevel()) {
+        if (game.getCurrentLevel() >= game.rules().levels().maximumLevel()) {
             return GameEnd.ALL_LEVELS_BEATEN;
         }
         return game.getTotalTime() >= Constants.MAX_TIME ? GameEnd.GAME_TIME_LIMIT : GameEnd.PUNISHED;
@@ -204,7 +204,7 @@ public final class MsPacManTask implements Task {
 
     private static Outcomes outcome(Game game, GameEnd end) {
         // A level that ends twice counts twice: the quirk of docs/specification/mspacman-task.md, section 7.3.
-        int beaten = Math.max(0, game.getCurrentLevel() - game.rules().maximumLevel() + 1);
+        int beaten = Math.max(0, game.getCurrentLevel() - game.rules().levels().maximumLevel() + 1);
         return new Outcomes(
                 beaten,
                 end == GameEnd.LEVEL_TIME_LIMIT ? 1 : 0,

@@ -7,7 +7,7 @@ import mmneat.neat.network.ModuleArbitration;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.examples.Legacy;
 import pacman.game.GameRules;
-import pacman.game.GameSwitches;
+import pacman.game.GameSwitch;
 import pacman.game.GhostLocations;
 
 /**
@@ -40,7 +40,7 @@ public record MsPacManTaskSettings(
         if (trials < 1) {
             throw new IllegalArgumentException("trials must be at least 1, is " + trials);
         }
-        if (version == TaskVersion.ISOLATED && rules.ghostLocations() == null) {
+        if (version == TaskVersion.ISOLATED && rules.ghosts().ghostLocations() == null) {
             throw new IllegalArgumentException(
                     "the isolated version needs recorded ghost locations (mazePowerPillGhostMapping)");
         }
@@ -59,10 +59,8 @@ public record MsPacManTaskSettings(
     /** The published isolated version, for networks that choose their modules themselves. */
     public static MsPacManTaskSettings isolated(GhostLocations locations) {
         GameRules rules = GameRules.interleaved()
-                .with()
-                .switches(GameSwitches.PILL_TASK)
-                .ghostLocations(locations)
-                .build();
+                .withSwitches(GameSwitch.PILL_TASK)
+                .withGhosts(ghosts -> ghosts.withGhostLocations(locations));
         return published(TaskVersion.ISOLATED, rules, SensorSettings.imprisoned());
     }
 

@@ -1,9 +1,11 @@
 package mmneat.mspacman;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import pacman.game.GameRules;
-import pacman.game.GameSwitches;
+import pacman.game.GameSwitch;
 
 /**
  * One of the games that make a trial.
@@ -24,38 +26,24 @@ public record TrialGame(String name, GameRules rules, boolean countsGhosts) {
         if (version != TaskVersion.ISOLATED) {
             return List.of(new TrialGame("", rules, true));
         }
-        GameRules imprisoned = rules.with().imprisonedWhileEdible(true).build();
+        GameRules imprisoned = rules.withGhosts(ghosts -> ghosts.withImprisonedWhileEdible(true));
         List<TrialGame> games = new ArrayList<>();
-        games.add(new TrialGame(
-                "PillTask",
-                imprisoned.with().switches(withoutPowerPills(rules.switches())).build(),
-                false));
-        for (int corner = 0; corner < CORNERS; corner++) {
+        games.add(new TrialGame("PillTask", imprisoned.withSwitches(withoutPowerPills(rules.switches())), false));
+        for (int i = 0; i < CORNERS; i++) {
+            int corner = i;
             games.add(new TrialGame(
                     "GhostTask" + corner,
                     imprisoned
-                            .with()
-                            .switches(GameSwitches.GHOST_TASK)
-                            .startingPowerPill(corner)
-                            .build(),
+                            .withSwitches(GameSwitch.GHOST_TASK)
+                            .withMazes(mazes -> mazes.withStartingPowerPill(corner)),
                     true));
         }
         return List.copyOf(games);
     }
 
-    private static GameSwitches withoutPowerPills(GameSwitches on) {
-        return new GameSwitches(
-                on.exitLairEdible(),
-                on.endOnlyOnTimeLimit(),
-                on.randomLairExit(),
-                on.lairExitDatabase(),
-                on.simultaneousLairExit(),
-                on.ghostsStartOutsideLair(),
-                on.onlyOneLairExitAllowed(),
-                on.endAfterGhostEatingChances(),
-                on.removePillsNearPowerPills(),
-                on.withoutPills(),
-                true,
-                on.endAfterPowerPillsEaten());
+    private static Set<GameSwitch> withoutPowerPills(Set<GameSwitch> on) {
+        EnumSet<GameSwitch> more = EnumSet.of(GameSwitch.WITHOUT_POWER_PILLS);
+        more.addAll(on);
+        return more;
     }
 }

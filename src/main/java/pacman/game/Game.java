@@ -85,7 +85,7 @@ public final class Game {
         static final GameRules RULES = GameRules.competition();
 
         static GameRules from(int maze) {
-            return RULES.with().initialMaze(maze).build();
+            return RULES.withMazes(mazes -> mazes.withInitialMaze(maze));
         }
     }
 
@@ -341,7 +341,7 @@ public final class Game {
 
     /** Steps until the level time limit; may be negative. */
     public int levelTimeLeft() {
-        return state.rules.levelTimeLimit() - state.levelTime;
+        return state.rules.levels().levelTimeLimit() - state.levelTime;
     }
 
     /** Points for the next ghost. */
@@ -538,7 +538,7 @@ public final class Game {
 
     /** The maze of {@link #shownMazeIndex}. */
     Maze shownMaze() {
-        return Maze.of(state.rules.mazes().get(shownMazeIndex()));
+        return Maze.of(state.rules.mazes().mazes().get(shownMazeIndex()));
     }
 
     /** The maze as the engine sees it: graph, distances and paths on primitive arrays. */
@@ -806,18 +806,18 @@ public final class Game {
         return state.tables.pillOrder().nearest(node, state.pills, state.pillsLeft, state.powerPills);
     }
 
-    // ---- Switches of MM-NEAT's tasks; GameSwitches says what they mean
+    // ---- Switches of MM-NEAT's tasks; GameSwitch says what they mean
 
     public void setExitLairEdible(boolean on) {
-        state.set(GameState.EXIT_LAIR_EDIBLE, on);
+        state.set(GameSwitch.EXIT_LAIR_EDIBLE, on);
     }
 
     public void setEndOnlyOnTimeLimit(boolean on) {
-        state.set(GameState.END_ONLY_ON_TIME_LIMIT, on);
+        state.set(GameSwitch.END_ONLY_ON_TIME_LIMIT, on);
     }
 
     public void setRandomLairExit(boolean on) {
-        state.set(GameState.RANDOM_LAIR_EXIT, on);
+        state.set(GameSwitch.RANDOM_LAIR_EXIT, on);
     }
 
     /** Needs {@link GameRules#ghostLocations} and a starting power pill. */
@@ -825,52 +825,52 @@ public final class Game {
         if (on) {
             state.requireGhostLocations();
         }
-        state.set(GameState.LAIR_EXIT_DATABASE, on);
+        state.set(GameSwitch.LAIR_EXIT_DATABASE, on);
     }
 
     public void setSimultaneousLairExit(boolean on) {
-        state.set(GameState.SIMULTANEOUS_LAIR_EXIT, on);
+        state.set(GameSwitch.SIMULTANEOUS_LAIR_EXIT, on);
     }
 
     public void setGhostsStartOutsideLair(boolean on) {
-        state.set(GameState.GHOSTS_START_OUTSIDE_LAIR, on);
+        state.set(GameSwitch.GHOSTS_START_OUTSIDE_LAIR, on);
     }
 
     public void setOnlyOneLairExitAllowed(boolean on) {
-        state.set(GameState.ONLY_ONE_LAIR_EXIT, on);
+        state.set(GameSwitch.ONLY_ONE_LAIR_EXIT, on);
     }
 
     public void setEndAfterGhostEatingChances(boolean on) {
-        state.set(GameState.END_AFTER_GHOST_EATING_CHANCES, on);
+        state.set(GameSwitch.END_AFTER_GHOST_EATING_CHANCES, on);
     }
 
     public void setEndAfterPowerPillsEaten(boolean on) {
-        state.set(GameState.END_AFTER_POWER_PILLS_EATEN, on);
+        state.set(GameSwitch.END_AFTER_POWER_PILLS_EATEN, on);
     }
 
     /** Takes the pills away at once when switched on. */
     public void setRemovePillsNearPowerPills(boolean on) {
-        state.set(GameState.REMOVE_PILLS_NEAR_POWER_PILLS, on);
+        state.set(GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS, on);
     }
 
     /** Takes all pills away, now and in later levels. */
     public void playWithoutPills() {
-        state.set(GameState.WITHOUT_PILLS, true);
+        state.set(GameSwitch.WITHOUT_PILLS, true);
     }
 
     /** Takes all power pills away, now and in later levels. */
     public void playWithoutPowerPills() {
-        state.set(GameState.WITHOUT_POWER_PILLS, true);
+        state.set(GameSwitch.WITHOUT_POWER_PILLS, true);
     }
 
     /** Pills come back with the next level. */
     public void playWithPills() {
-        state.set(GameState.WITHOUT_PILLS, false);
+        state.set(GameSwitch.WITHOUT_PILLS, false);
     }
 
     /** Power pills come back with the next level. */
     public void playWithPowerPills() {
-        state.set(GameState.WITHOUT_POWER_PILLS, false);
+        state.set(GameSwitch.WITHOUT_POWER_PILLS, false);
     }
 
     // ---- Counters over the whole game; docs/specification/simulator.md, section 8
@@ -975,7 +975,7 @@ public final class Game {
 
     /** Without a last level there is no number of power pills to compare with. */
     private int powerPillsInAllLevels() {
-        int levels = state.rules.maximumLevel();
+        int levels = state.rules.levels().maximumLevel();
         return levels == Integer.MAX_VALUE ? 0 : GhostLocations.POWER_PILLS * levels;
     }
 

@@ -1,68 +1,35 @@
 package pacman.game;
 
-import java.util.stream.IntStream;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Set;
+import java.util.function.UnaryOperator;
 import pacman.game.internal.Maze;
 import pacman.maze.MazeTables;
-import pacman.maze.Mazes;
 
 /**
- * What differs from one kind of game to another. Immutable; {@link #with()} makes changed copies.
+ * What differs from one kind of game to another. Immutable; its methods {@code with...} make
+ * changed copies, as in {@code GameRules.competition().withLevels(levels -> levels.withLives(1))}.
  *
- * <p>Times are in game steps. Source: docs/specification/simulator.md, sections 2 and 7;
+ * <p>Source: docs/specification/simulator.md, sections 2 and 7;
  * docs/specification/controllers.md, section 1.3.
  *
  * @param conventions whose behaviour counts where the competition's and MM-NEAT's differ
  * @param copies which random numbers a copy of the game draws
- * @param mazes the mazes of the levels
- * @param initialMaze index of the first level's maze
- * @param onlyMaze index of a maze in which all levels are played, -1 for all mazes in turn
- * @param startingPowerPill number of the power pill on which Ms. Pac-Man starts, -1 for the maze's start
- * @param lives lives at the start
- * @param extraLife whether 10000 points give a life, once per game
- * @param maximumLevel number of levels after which the game is over
- * @param levelTimeLimit steps in a level
- * @param fatalTimeLimit whether reaching the limit is left to the controller, which ends the game; otherwise the next level
- *     starts
- * @param creditForRemainingPills whether half the points of what is left are given at the end of a level
- * @param edibleTime steps for which ghosts are edible in the first level
- * @param infiniteEdibleTime whether ghosts stay edible until they are eaten
- * @param lairTime steps for which an eaten ghost stays in the lair in the first level, at least 2
- * @param imprisonedWhileEdible whether no ghost leaves the lair while another is edible
- * @param randomGhostReversals whether ghosts reverse at random
- * @param activeGhosts number of ghosts that leave the lair, 0 to 4
- * @param closeGhostDistance path distance beyond which all threats count as far when a power pill is eaten
- * @param preEatenPillPortion portion of pills that are missing from the start of a level, in [0, 1]
- * @param powerPillPunishmentRate probability in [0, 1] that the game ends when a ghost's edible time runs out
- * @param dieOnImproperPowerPillEating whether eating a power pill ends the game unless all active ghosts are threats
- * @param switches rules that are switched on the game object
- * @param ghostLocations where ghosts leave the lair under {@link GameSwitches#lairExitDatabase}, in the mazes of the competition
- *     only; otherwise may be null
+ * @param mazes the mazes and where the game starts
+ * @param levels levels and lives
+ * @param ghosts the ghosts and their times
+ * @param pills the pills and what power pills cost
+ * @param switches rules that are switched on for the game object at its start
  */
 public record GameRules(
         Conventions conventions,
         Copies copies,
-        Mazes mazes,
-        int initialMaze,
-        int onlyMaze,
-        int startingPowerPill,
-        int lives,
-        boolean extraLife,
-        int maximumLevel,
-        int levelTimeLimit,
-        boolean fatalTimeLimit,
-        boolean creditForRemainingPills,
-        int edibleTime,
-        boolean infiniteEdibleTime,
-        int lairTime,
-        boolean imprisonedWhileEdible,
-        boolean randomGhostReversals,
-        int activeGhosts,
-        int closeGhostDistance,
-        double preEatenPillPortion,
-        double powerPillPunishmentRate,
-        boolean dieOnImproperPowerPillEating,
-        GameSwitches switches,
-        GhostLocations ghostLocations) {
+        MazeRules mazes,
+        LevelRules levels,
+        GhostRules ghosts,
+        PillRules pills,
+        Set<GameSwitch> switches) {
 
     /** Whose behaviour counts where the two frameworks differ; docs/specification/controllers.md, section 1.3. */
     public enum Conventions {
@@ -92,57 +59,44 @@ public record GameRules(
         ARE_INDEPENDENT
     }
 
+    /** @throws IllegalArgumentException if the parts do not go together */
     public GameRules {
-        if (conventions == null || copies == null || mazes == null || switches == null) {
-            throw new IllegalArgumentException("conventions, copies, mazes and switches are needed");
+        if (conventions == null
+                || copies == null
+                || mazes == null
+                || levels == null
+                || ghosts == null
+                || pills == null
+                || switches == null) {
+            throw new IllegalArgumentException("all parts of the rules are needed");
         }
-        requireRange("initialMaze", initialMaze, 0, mazes.count() - 1);
-        requireRange("onlyMaze", onlyMaze, -1, mazes.count() - 1);
-        requireRange("lives", lives, 1, Integer.MAX_VALUE);
-        requireRange("maximumLevel", maximumLevel, 1, Integer.MAX_VALUE);
-        requireRange("levelTimeLimit", levelTimeLimit, 1, Integer.MAX_VALUE);
-        requireRange("edibleTime", edibleTime, 0, Integer.MAX_VALUE);
-        // Shortened from level to level it must stay 1 at least: a ghost without lair time moves, which it cannot in
-        // the lair.
-        requireRange("lairTime", lairTime, 2, Integer.MAX_VALUE);
-        requireRange("activeGhosts", activeGhosts, 0, Constants.NUM_GHOSTS);
-        requireProbability("preEatenPillPortion", preEatenPillPortion);
-        requireProbability("powerPillPunishmentRate", powerPillPunishmentRate);
-        if (switches.lairExitDatabase() && (ghostLocations == null || mazes != Mazes.standard())) {
+        EnumSet<GameSwitch> ordered = EnumSet.noneOf(GameSwitch.class);
+        ordered.addAll(switches);
+        switches = Collections.unmodifiableSet(ordered);
+        if (switches.contains(GameSwitch.LAIR_EXIT_DATABASE)
+                && (ghosts.ghostLocations() == null || mazes.mazes() != MazeRules.MM_NEAT.mazes())) {
             throw new IllegalArgumentException(
                     "lairExitDatabase needs ghostLocations, which are recorded in the four mazes of the competition");
         }
-        requirePowerPill(mazes, startingPowerPill);
     }
 
     /** Computes the tables of all mazes now; otherwise they are computed when the first game needs them. */
     public void prepareMazes() {
-        for (int index = 0; index < mazes.count(); index++) {
-            MazeTables maze = mazes.get(index);
+        for (int index = 0; index < mazes.mazes().count(); index++) {
+            MazeTables maze = mazes.mazes().get(index);
             maze.prepare();
             NodeMoves.of(maze);
             Maze.of(maze);
         }
     }
 
-    private static void requireRange(String name, int value, int lowest, int highest) {
+    static void requireRange(String name, int value, int lowest, int highest) {
         if (value < lowest || value > highest) {
             throw new IllegalArgumentException(name + " must be from " + lowest + " to " + highest + ", is " + value);
         }
     }
 
-    private static void requirePowerPill(Mazes mazes, int powerPill) {
-        // The mazes of the competition are not loaded for this.
-        int fewest = mazes == Mazes.standard()
-                ? GhostLocations.POWER_PILLS
-                : IntStream.range(0, mazes.count())
-                        .map(index -> mazes.get(index).graph().powerPillCount())
-                        .min()
-                        .getAsInt();
-        requireRange("startingPowerPill", powerPill, -1, fewest - 1);
-    }
-
-    private static void requireProbability(String name, double value) {
+    static void requireProbability(String name, double value) {
         if (!(value >= 0 && value <= 1)) {
             throw new IllegalArgumentException(name + " must be from 0 to 1, is " + value);
         }
@@ -150,35 +104,37 @@ public record GameRules(
 
     /** The competition of 2012, release 6.2: three lives, levels of 4000 steps, no last level; copies foresee nothing. */
     public static GameRules competition() {
-        return new Builder()
-                .conventions(Conventions.COMPETITION)
-                .copies(Copies.ARE_INDEPENDENT)
-                .lives(Constants.NUM_LIVES)
-                .extraLife(true)
-                .maximumLevel(Integer.MAX_VALUE)
-                .levelTimeLimit(Constants.LEVEL_LIMIT)
-                .fatalTimeLimit(false)
-                .build();
+        return mmneat().withConventions(Conventions.COMPETITION)
+                .withCopies(Copies.ARE_INDEPENDENT)
+                .withLevels(unused -> new LevelRules(
+                        Constants.NUM_LIVES, true, Integer.MAX_VALUE, Constants.LEVEL_LIMIT, false, false));
     }
 
     /** MM-NEAT's defaults: the blended game without a level time limit of consequence. */
     public static GameRules mmneat() {
-        return new Builder().build();
+        return new GameRules(
+                Conventions.MM_NEAT,
+                Copies.CONTINUE_THE_GAME,
+                MazeRules.MM_NEAT,
+                LevelRules.MM_NEAT,
+                GhostRules.MM_NEAT,
+                PillRules.MM_NEAT,
+                Set.of());
     }
 
     /** The blended task of the paper: threats and edible ghosts at once, eaten ghosts come back. */
     public static GameRules blended() {
-        return new Builder().levelTimeLimit(8000).build();
+        return mmneat().withLevels(levels -> levels.withLevelTimeLimit(8000));
     }
 
     /** The interleaved task of the paper: eaten ghosts stay in the lair while another is edible. */
     public static GameRules interleaved() {
-        return new Builder().levelTimeLimit(8000).imprisonedWhileEdible(true).build();
+        return blended().withGhosts(ghosts -> ghosts.withImprisonedWhileEdible(true));
     }
 
     /** The pill-eating game of the paper's isolated task. */
     public static GameRules isolatedPills() {
-        return interleaved().with().switches(GameSwitches.PILL_TASK).build();
+        return interleaved().withSwitches(GameSwitch.PILL_TASK);
     }
 
     /**
@@ -188,11 +144,9 @@ public record GameRules(
      */
     public static GameRules isolatedGhosts(int startingPowerPill, GhostLocations ghostLocations) {
         return interleaved()
-                .with()
-                .switches(GameSwitches.GHOST_TASK)
-                .startingPowerPill(startingPowerPill)
-                .ghostLocations(ghostLocations)
-                .build();
+                .withGhosts(ghosts -> ghosts.withGhostLocations(ghostLocations))
+                .withSwitches(GameSwitch.GHOST_TASK)
+                .withMazes(mazes -> mazes.withStartingPowerPill(startingPowerPill));
     }
 
     /**
@@ -200,240 +154,46 @@ public record GameRules(
      * credit for what is left. Copies foresee nothing.
      */
     public static GameRules mpmVsGhosts() {
-        return new Builder()
-                .copies(Copies.ARE_INDEPENDENT)
-                .lives(Constants.NUM_LIVES)
-                .extraLife(true)
-                .maximumLevel(16)
-                .levelTimeLimit(3000)
-                .fatalTimeLimit(false)
-                .creditForRemainingPills(true)
-                .build();
+        return mmneat().withCopies(Copies.ARE_INDEPENDENT)
+                .withLevels(unused -> new LevelRules(Constants.NUM_LIVES, true, 16, 3000, false, true));
     }
 
     /** Three lives and an extra one through the four mazes. */
     public static GameRules fourMaze() {
-        return new Builder()
-                .lives(Constants.NUM_LIVES)
-                .extraLife(true)
-                .levelTimeLimit(50000)
-                .build();
+        return mmneat().withLevels(levels ->
+                levels.withLives(Constants.NUM_LIVES).withExtraLife(true).withLevelTimeLimit(50000));
     }
 
-    /** A builder that starts from these rules. */
-    public Builder with() {
-        return new Builder(this);
+    public GameRules withConventions(Conventions value) {
+        return new GameRules(value, copies, mazes, levels, ghosts, pills, switches);
     }
 
-    /** Builds rules, starting from MM-NEAT's defaults or from given rules; see the record for what each name means. */
-    public static final class Builder {
+    public GameRules withCopies(Copies value) {
+        return new GameRules(conventions, value, mazes, levels, ghosts, pills, switches);
+    }
 
-        private Conventions conventions = Conventions.MM_NEAT;
-        private Copies copies = Copies.CONTINUE_THE_GAME;
-        private Mazes mazes = Mazes.standard();
-        private int initialMaze;
-        private int onlyMaze = -1;
-        private int startingPowerPill = -1;
-        private int lives = 1;
-        private boolean extraLife;
-        private int maximumLevel = 4;
-        private int levelTimeLimit = 1000000;
-        private boolean fatalTimeLimit = true;
-        private boolean creditForRemainingPills;
-        private int edibleTime = Constants.EDIBLE_TIME;
-        private boolean infiniteEdibleTime;
-        private int lairTime = Constants.COMMON_LAIR_TIME;
-        private boolean imprisonedWhileEdible;
-        private boolean randomGhostReversals = true;
-        private int activeGhosts = Constants.NUM_GHOSTS;
-        private int closeGhostDistance = 35;
-        private double preEatenPillPortion;
-        private double powerPillPunishmentRate;
-        private boolean dieOnImproperPowerPillEating;
-        private GameSwitches switches = GameSwitches.NONE;
-        private GhostLocations ghostLocations;
+    /** These with other mazes or another start. */
+    public GameRules withMazes(UnaryOperator<MazeRules> change) {
+        return new GameRules(conventions, copies, change.apply(mazes), levels, ghosts, pills, switches);
+    }
 
-        /** Starts from MM-NEAT's defaults. */
-        public Builder() {}
+    /** These with other levels or lives. */
+    public GameRules withLevels(UnaryOperator<LevelRules> change) {
+        return new GameRules(conventions, copies, mazes, change.apply(levels), ghosts, pills, switches);
+    }
 
-        private Builder(GameRules rules) {
-            conventions = rules.conventions;
-            copies = rules.copies;
-            mazes = rules.mazes;
-            initialMaze = rules.initialMaze;
-            onlyMaze = rules.onlyMaze;
-            startingPowerPill = rules.startingPowerPill;
-            lives = rules.lives;
-            extraLife = rules.extraLife;
-            maximumLevel = rules.maximumLevel;
-            levelTimeLimit = rules.levelTimeLimit;
-            fatalTimeLimit = rules.fatalTimeLimit;
-            creditForRemainingPills = rules.creditForRemainingPills;
-            edibleTime = rules.edibleTime;
-            infiniteEdibleTime = rules.infiniteEdibleTime;
-            lairTime = rules.lairTime;
-            imprisonedWhileEdible = rules.imprisonedWhileEdible;
-            randomGhostReversals = rules.randomGhostReversals;
-            activeGhosts = rules.activeGhosts;
-            closeGhostDistance = rules.closeGhostDistance;
-            preEatenPillPortion = rules.preEatenPillPortion;
-            powerPillPunishmentRate = rules.powerPillPunishmentRate;
-            dieOnImproperPowerPillEating = rules.dieOnImproperPowerPillEating;
-            switches = rules.switches;
-            ghostLocations = rules.ghostLocations;
-        }
+    /** These with other rules for the ghosts. */
+    public GameRules withGhosts(UnaryOperator<GhostRules> change) {
+        return new GameRules(conventions, copies, mazes, levels, change.apply(ghosts), pills, switches);
+    }
 
-        public Builder conventions(Conventions value) {
-            conventions = value;
-            return this;
-        }
+    /** These with other rules for the pills. */
+    public GameRules withPills(UnaryOperator<PillRules> change) {
+        return new GameRules(conventions, copies, mazes, levels, ghosts, change.apply(pills), switches);
+    }
 
-        public Builder copies(Copies value) {
-            copies = value;
-            return this;
-        }
-
-        public Builder mazes(Mazes value) {
-            mazes = value;
-            return this;
-        }
-
-        public Builder initialMaze(int value) {
-            initialMaze = value;
-            return this;
-        }
-
-        public Builder onlyMaze(int value) {
-            onlyMaze = value;
-            return this;
-        }
-
-        public Builder startingPowerPill(int value) {
-            startingPowerPill = value;
-            return this;
-        }
-
-        public Builder lives(int value) {
-            lives = value;
-            return this;
-        }
-
-        public Builder extraLife(boolean value) {
-            extraLife = value;
-            return this;
-        }
-
-        public Builder maximumLevel(int value) {
-            maximumLevel = value;
-            return this;
-        }
-
-        public Builder levelTimeLimit(int value) {
-            levelTimeLimit = value;
-            return this;
-        }
-
-        public Builder fatalTimeLimit(boolean value) {
-            fatalTimeLimit = value;
-            return this;
-        }
-
-        public Builder creditForRemainingPills(boolean value) {
-            creditForRemainingPills = value;
-            return this;
-        }
-
-        public Builder edibleTime(int value) {
-            edibleTime = value;
-            return this;
-        }
-
-        public Builder infiniteEdibleTime(boolean value) {
-            infiniteEdibleTime = value;
-            return this;
-        }
-
-        public Builder lairTime(int value) {
-            lairTime = value;
-            return this;
-        }
-
-        public Builder imprisonedWhileEdible(boolean value) {
-            imprisonedWhileEdible = value;
-            return this;
-        }
-
-        public Builder randomGhostReversals(boolean value) {
-            randomGhostReversals = value;
-            return this;
-        }
-
-        public Builder activeGhosts(int value) {
-            activeGhosts = value;
-            return this;
-        }
-
-        public Builder closeGhostDistance(int value) {
-            closeGhostDistance = value;
-            return this;
-        }
-
-        public Builder preEatenPillPortion(double value) {
-            preEatenPillPortion = value;
-            return this;
-        }
-
-        public Builder powerPillPunishmentRate(double value) {
-            powerPillPunishmentRate = value;
-            return this;
-        }
-
-        public Builder dieOnImproperPowerPillEating(boolean value) {
-            dieOnImproperPowerPillEating = value;
-            return this;
-        }
-
-        public Builder switches(GameSwitches value) {
-            switches = value;
-            return this;
-        }
-
-        public Builder ghostLocations(GhostLocations value) {
-            ghostLocations = value;
-            return this;
-        }
-
-        /**
-         * The rules.
-         *
-         * @throws IllegalArgumentException if a value is out of its range
-         */
-        public GameRules build() {
-            return new GameRules(
-                    conventions,
-                    copies,
-                    mazes,
-                    initialMaze,
-                    onlyMaze,
-                    startingPowerPill,
-                    lives,
-                    extraLife,
-                    maximumLevel,
-                    levelTimeLimit,
-                    fatalTimeLimit,
-                    creditForRemainingPills,
-                    edibleTime,
-                    infiniteEdibleTime,
-                    lairTime,
-                    imprisonedWhileEdible,
-                    randomGhostReversals,
-                    activeGhosts,
-                    closeGhostDistance,
-                    preEatenPillPortion,
-                    powerPillPunishmentRate,
-                    dieOnImproperPowerPillEating,
-                    switches,
-                    ghostLocations);
-        }
+    /** These with exactly the given switches on. */
+    public GameRules withSwitches(Set<GameSwitch> value) {
+        return new GameRules(conventions, copies, mazes, levels, ghosts, pills, value);
     }
 }

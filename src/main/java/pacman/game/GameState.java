@@ -1,9 +1,20 @@
 package pacman.game;
 
+import static pacman.game.GameSwitch.END_AFTER_GHOST_EATING_CHANCES;
+import static pacman.game.GameSwitch.END_AFTER_POWER_PILLS_EATEN;
+import static pacman.game.GameSwitch.GHOSTS_START_OUTSIDE_LAIR;
+import static pacman.game.GameSwitch.LAIR_EXIT_DATABASE;
+import static pacman.game.GameSwitch.ONLY_ONE_LAIR_EXIT;
+import static pacman.game.GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS;
+import static pacman.game.GameSwitch.WITHOUT_PILLS;
+import static pacman.game.GameSwitch.WITHOUT_POWER_PILLS;
+
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.GHOST;
 import pacman.game.GameRules.Conventions;
@@ -34,28 +45,16 @@ final class GameState {
     /** Times a ghost was eaten in this game. */
     static final int EATEN = 12;
 
-    /** Switches, as bits of {@link #switches}. */
-    static final int EXIT_LAIR_EDIBLE = 1;
-
-    static final int END_ONLY_ON_TIME_LIMIT = 1 << 1;
-    static final int RANDOM_LAIR_EXIT = 1 << 2;
-    static final int LAIR_EXIT_DATABASE = 1 << 3;
-    static final int SIMULTANEOUS_LAIR_EXIT = 1 << 4;
-    static final int GHOSTS_START_OUTSIDE_LAIR = 1 << 5;
-    static final int ONLY_ONE_LAIR_EXIT = 1 << 6;
-    static final int END_AFTER_GHOST_EATING_CHANCES = 1 << 7;
-    static final int REMOVE_PILLS_NEAR_POWER_PILLS = 1 << 8;
-    static final int WITHOUT_PILLS = 1 << 9;
-    static final int WITHOUT_POWER_PILLS = 1 << 10;
-    static final int END_AFTER_POWER_PILLS_EATEN = 1 << 11;
-
     // Quirk of the original: the other switches are off in copies.
-    private static final int SWITCHES_IN_COPIES = GHOSTS_START_OUTSIDE_LAIR
-            | ONLY_ONE_LAIR_EXIT
-            | END_AFTER_GHOST_EATING_CHANCES
-            | WITHOUT_PILLS
-            | WITHOUT_POWER_PILLS
-            | END_AFTER_POWER_PILLS_EATEN;
+    private static final int SWITCHES_IN_COPIES = Stream.of(
+                    GHOSTS_START_OUTSIDE_LAIR,
+                    ONLY_ONE_LAIR_EXIT,
+                    END_AFTER_GHOST_EATING_CHANCES,
+                    WITHOUT_PILLS,
+                    WITHOUT_POWER_PILLS,
+                    END_AFTER_POWER_PILLS_EATEN)
+            .mapToInt(on -> on.bit)
+            .sum();
 
     private static final GHOST[] GHOST_TYPES = GHOST.values();
 
@@ -99,6 +98,7 @@ final class GameState {
     /** Calls of advanceGame completed on this object. */
     int calls;
 
+    /** The switches that are on, as a set of {@link GameSwitch#bit}. */
     int switches;
 
     /** Her node and last move, as {@link MazePoses} numbers them. */
@@ -274,9 +274,11 @@ final class GameState {
         timeOfLastReversal = -1;
         timeOfLastPowerPill = -1;
         lureDistance = -(4.0 * 4 * 4 * 200);
-        lives = rules.lives();
-        mazeIndex = rules.onlyMaze() >= 0 ? rules.onlyMaze() : rules.initialMaze();
-        timesLevel = Math.max(0, rules.onlyMaze());
+        lives = rules.levels().lives();
+        mazeIndex = rules.mazes().onlyMaze() >= 0
+                ? rules.mazes().onlyMaze()
+                : rules.mazes().initialMaze();
+        timesLevel = Math.max(0, rules.mazes().onlyMaze());
         // Pills are set before the switches, as by the original's constructor.
         switches = 0;
         enterMaze();
@@ -293,54 +295,43 @@ final class GameState {
         powerPillEaten = false;
     }
 
-    private void applySwitches(GameSwitches on) {
-        if (on.lairExitDatabase()) {
+    private void applySwitches(Set<GameSwitch> on) {
+        if (on.contains(LAIR_EXIT_DATABASE)) {
             requireGhostLocations();
         }
-        set(EXIT_LAIR_EDIBLE, on.exitLairEdible());
-        set(END_ONLY_ON_TIME_LIMIT, on.endOnlyOnTimeLimit());
-        set(RANDOM_LAIR_EXIT, on.randomLairExit());
-        set(LAIR_EXIT_DATABASE, on.lairExitDatabase());
-        set(SIMULTANEOUS_LAIR_EXIT, on.simultaneousLairExit());
-        set(GHOSTS_START_OUTSIDE_LAIR, on.ghostsStartOutsideLair());
-        set(ONLY_ONE_LAIR_EXIT, on.onlyOneLairExitAllowed());
-        set(END_AFTER_GHOST_EATING_CHANCES, on.endAfterGhostEatingChances());
-        set(REMOVE_PILLS_NEAR_POWER_PILLS, on.removePillsNearPowerPills());
-        set(WITHOUT_PILLS, on.withoutPills());
-        set(WITHOUT_POWER_PILLS, on.withoutPowerPills());
-        set(END_AFTER_POWER_PILLS_EATEN, on.endAfterPowerPillsEaten());
+        on.forEach(each -> set(each, true));
     }
 
-    /** What {@link GameSwitches#lairExitDatabase} cannot do without. */
+    /** What {@link GameSwitch#LAIR_EXIT_DATABASE} cannot do without. */
     void requireGhostLocations() {
-        if (rules.ghostLocations() == null || rules.startingPowerPill() < 0) {
+        if (rules.ghosts().ghostLocations() == null || rules.mazes().startingPowerPill() < 0) {
             throw new IllegalArgumentException("lairExitDatabase needs ghostLocations and a startingPowerPill");
         }
     }
 
     /** Turns a switch on or off; those about pills take away at once what they forbid, and bring nothing back. */
-    void set(int bit, boolean on) {
-        switches = on ? switches | bit : switches & ~bit;
+    void set(GameSwitch rule, boolean on) {
+        switches = on ? switches | rule.bit : switches & ~rule.bit;
         if (!on) {
             return;
         }
-        if (bit == WITHOUT_PILLS) {
+        if (rule == WITHOUT_PILLS) {
             Arrays.fill(pills, 0);
             pillsLeft = 0;
-        } else if (bit == WITHOUT_POWER_PILLS) {
+        } else if (rule == WITHOUT_POWER_PILLS) {
             powerPills = 0;
-        } else if (bit == REMOVE_PILLS_NEAR_POWER_PILLS) {
+        } else if (rule == REMOVE_PILLS_NEAR_POWER_PILLS) {
             removePillsNearPowerPills();
         }
     }
 
-    boolean has(int bit) {
-        return (switches & bit) != 0;
+    boolean has(GameSwitch rule) {
+        return (switches & rule.bit) != 0;
     }
 
     /** Looks up the maze of {@link #mazeIndex}. */
     void enterMaze() {
-        tables = rules.mazes().get(mazeIndex);
+        tables = rules.mazes().mazes().get(mazeIndex);
         graph = tables.graph();
         poses = tables.poses();
     }
@@ -359,7 +350,7 @@ final class GameState {
         Arrays.fill(pills, -1L);
         pills[words - 1] = (1L << count) - 1;
         pillsLeft = count;
-        if (rules.preEatenPillPortion() > 0) {
+        if (rules.pills().preEatenPillPortion() > 0) {
             removePreEaten(count);
         }
     }
@@ -371,7 +362,7 @@ final class GameState {
         for (int i = count; i > 1; i--) {
             Collections.swap(numbers, i - 1, source.nextInt(i));
         }
-        for (int i = 0; i < (int) Math.floor(rules.preEatenPillPortion() * count); i++) {
+        for (int i = 0; i < (int) Math.floor(rules.pills().preEatenPillPortion() * count); i++) {
             removePill(numbers.get(i));
         }
     }
@@ -408,7 +399,7 @@ final class GameState {
             ghosts[EDIBLE + ghost] = 0;
             ghosts[LAIR + ghost] = scaledTime(GHOST_TYPES[ghost].initialLairTime);
         }
-        int powerPill = rules.startingPowerPill();
+        int powerPill = rules.mazes().startingPowerPill();
         int start = powerPill < 0 ? graph.pacManStart() : graph.powerPillNode(powerPill);
         pacManPose = MazePoses.of(start, Constants.MOVE.LEFT.ordinal());
     }
@@ -422,7 +413,7 @@ final class GameState {
         if (history != null && isAnyEdible()) {
             history.timesToEatAll.add(GameHistory.NEVER);
         }
-        if (rules.creditForRemainingPills()) {
+        if (rules.levels().creditForRemainingPills()) {
             int powerPillsLeft = Long.bitCount(powerPills);
             score += Constants.POWER_PILL / 2 * powerPillsLeft + Constants.PILL / 2 * pillsLeft;
             eatenPills += (powerPillsLeft + pillsLeft) / 2;
@@ -430,15 +421,15 @@ final class GameState {
         if (history != null) {
             history.closeLevel(score);
         }
-        if (rules.onlyMaze() < 0) {
-            mazeIndex = (mazeIndex + 1) % rules.mazes().count();
+        if (rules.mazes().onlyMaze() < 0) {
+            mazeIndex = (mazeIndex + 1) % rules.mazes().mazes().count();
         }
         level++;
         timesLevel++;
         levelTime = 0;
         ghostMultiplier = 1;
         enterMaze();
-        if (level >= rules.maximumLevel()) {
+        if (level >= rules.levels().maximumLevel()) {
             gameOver = true;
             return false;
         }
@@ -453,10 +444,10 @@ final class GameState {
 
     /** Number of the maze that everybody is in: after the last level {@link #mazeIndex} is that of the next one. */
     int shownMazeIndex() {
-        int levelsBeyond = level - (rules.maximumLevel() - 1);
-        return levelsBeyond <= 0 || rules.onlyMaze() >= 0
+        int levelsBeyond = level - (rules.levels().maximumLevel() - 1);
+        return levelsBeyond <= 0 || rules.mazes().onlyMaze() >= 0
                 ? mazeIndex
-                : Math.floorMod(mazeIndex - levelsBeyond, rules.mazes().count());
+                : Math.floorMod(mazeIndex - levelsBeyond, rules.mazes().mazes().count());
     }
 
     /** An edible or lair time of the first level, shortened for the current one. */
@@ -465,7 +456,7 @@ final class GameState {
     }
 
     int newEdibleTime() {
-        return scaledTime(rules.edibleTime());
+        return scaledTime(rules.ghosts().edibleTime());
     }
 
     boolean isAnyEdible() {

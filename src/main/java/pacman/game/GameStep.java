@@ -72,7 +72,7 @@ final class GameStep {
         state.eatenPills++;
         state.score += Constants.PILL;
         state.removePill(pill);
-        state.timePillReward += state.rules.levelTimeLimit() - state.levelTime;
+        state.timePillReward += state.rules.levels().levelTimeLimit() - state.levelTime;
         if (state.history != null) {
             state.history.pillEatTimes.add(state.totalTime);
         }
@@ -92,17 +92,17 @@ final class GameStep {
         }
         notePowerPill(state, threats);
         state.score += Constants.POWER_PILL;
-        if (threats == state.rules.activeGhosts()) {
+        if (threats == state.rules.ghosts().activeGhosts()) {
             state.properlyEatenPowerPills++;
-            if (nearest > state.rules.closeGhostDistance()) {
+            if (nearest > state.rules.pills().closeGhostDistance()) {
                 state.powerPillsEatenWhenGhostFar++;
             }
-        } else if (state.rules.dieOnImproperPowerPillEating()) {
+        } else if (state.rules.pills().dieOnImproperPowerPillEating()) {
             state.gameOver = true;
             return;
         } else {
             state.improperlyEatenPowerPills++;
-            state.ghostRegret += state.rules.activeGhosts() - threats;
+            state.ghostRegret += state.rules.ghosts().activeGhosts() - threats;
         }
         state.lureDistance += lure;
         state.eatenPills++;
@@ -144,7 +144,8 @@ final class GameStep {
     }
 
     private static boolean reverse(GameState state, boolean forced) {
-        boolean event = state.rules.randomGhostReversals() && state.random.nextDouble() < Constants.GHOST_REVERSAL;
+        boolean event =
+                state.rules.ghosts().randomGhostReversals() && state.random.nextDouble() < Constants.GHOST_REVERSAL;
         if (!forced && !event && !state.powerPillEaten || state.levelTime <= 1) {
             return false;
         }
@@ -279,14 +280,16 @@ final class GameStep {
         state.timeGhostReward += ghosts[EDIBLE + ghost] * state.ghostMultiplier;
         state.ghostMultiplier *= 2;
         ghosts[EDIBLE + ghost] = 0;
-        ghosts[LAIR + ghost] = state.scaledTime(state.rules.lairTime());
+        ghosts[LAIR + ghost] = state.scaledTime(state.rules.ghosts().lairTime());
         ghosts[POSE + ghost] = MazePoses.of(state.graph.lair(), NO_MOVE);
         state.ghostsEaten |= 1 << ghost;
         if (state.history != null) {
             state.history.ghostEatTimes.add(state.totalTime);
-            if (!state.has(GameState.EXIT_LAIR_EDIBLE)) {
+            if (!state.has(GameSwitch.EXIT_LAIR_EDIBLE)) {
                 state.history.ghostEaten(
-                        state.rules.activeGhosts(), !state.isAnyEdible(), state.totalTime - state.timeOfLastPowerPill);
+                        state.rules.ghosts().activeGhosts(),
+                        !state.isAnyEdible(),
+                        state.totalTime - state.timeOfLastPowerPill);
             }
         }
     }
@@ -303,13 +306,13 @@ final class GameStep {
     }
 
     private static void endEdibleTime(GameState state, int ghost) {
-        if (state.rules.infiniteEdibleTime()) {
+        if (state.rules.ghosts().infiniteEdibleTime()) {
             state.ghosts[EDIBLE + ghost] = 2;
             return;
         }
         state.ghostRegret++;
         // The original draws even at rate 0, from the generator that the evolution uses. Without one nobody could tell.
-        double rate = state.rules.powerPillPunishmentRate();
+        double rate = state.rules.pills().powerPillPunishmentRate();
         if ((state.shared != null || rate > 0) && state.drawsOfTheRun().nextDouble() < rate) {
             state.gameOver = true;
         }
@@ -328,7 +331,7 @@ final class GameStep {
             return;
         }
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            if (state.ghosts[LAIR + ghost] > 0 && ghost < state.rules.activeGhosts()) {
+            if (state.ghosts[LAIR + ghost] > 0 && ghost < state.rules.ghosts().activeGhosts()) {
                 state.ghosts[LAIR + ghost]--;
             }
         }
@@ -343,30 +346,30 @@ final class GameStep {
     private static void leaveLair(GameState state) {
         int[] ghosts = state.ghosts;
         boolean exit = false;
-        for (int ghost = 0; ghost < state.rules.activeGhosts(); ghost++) {
+        for (int ghost = 0; ghost < state.rules.ghosts().activeGhosts(); ghost++) {
             if (ghosts[LAIR + ghost] <= 0) {
                 continue;
             }
             ghosts[LAIR + ghost]--;
-            boolean due =
-                    ghosts[LAIR + ghost] == 0 || state.levelTime == 0 && state.has(GameState.GHOSTS_START_OUTSIDE_LAIR);
+            boolean due = ghosts[LAIR + ghost] == 0
+                    || state.levelTime == 0 && state.has(GameSwitch.GHOSTS_START_OUTSIDE_LAIR);
             if (!due) {
                 continue;
             }
-            if (state.rules.imprisonedWhileEdible() && state.isAnyEdible()) {
-                ghosts[LAIR + ghost] += state.scaledTime(state.rules.lairTime());
+            if (state.rules.ghosts().imprisonedWhileEdible() && state.isAnyEdible()) {
+                ghosts[LAIR + ghost] += state.scaledTime(state.rules.ghosts().lairTime());
             } else {
                 exit = true;
                 ghosts = leaveLair(state, ghosts, ghost);
             }
         }
-        if (exit && state.has(GameState.SIMULTANEOUS_LAIR_EXIT)) {
+        if (exit && state.has(GameSwitch.SIMULTANEOUS_LAIR_EXIT)) {
             leaveLairTogether(state);
         }
     }
 
     private static void leaveLairTogether(GameState state) {
-        for (int ghost = 0; ghost < state.rules.activeGhosts(); ghost++) {
+        for (int ghost = 0; ghost < state.rules.ghosts().activeGhosts(); ghost++) {
             state.ghosts[LAIR + ghost] = 0;
             if (state.ghostNode(ghost) == state.graph.lair()) {
                 leaveLair(state, state.ghosts, ghost);
@@ -383,34 +386,35 @@ final class GameStep {
      * @return the ghosts over which the loop goes on
      */
     private static int[] leaveLair(GameState state, int[] ghosts, int ghost) {
-        if (state.levelTime > 0 && state.has(GameState.ONLY_ONE_LAIR_EXIT)) {
+        if (state.levelTime > 0 && state.has(GameSwitch.ONLY_ONE_LAIR_EXIT)) {
             int[] old = ghosts.clone();
             return state.newLevel() ? old : ghosts;
         }
         ghosts[POSE + ghost] = MazePoses.of(exitNode(state, ghost), MazePoses.move(ghosts[POSE + ghost]));
         state.apart = 0;
-        if (state.has(GameState.EXIT_LAIR_EDIBLE)) {
+        if (state.has(GameSwitch.EXIT_LAIR_EDIBLE)) {
             ghosts[EDIBLE + ghost] = state.newEdibleTime();
         }
         return ghosts;
     }
 
     private static int exitNode(GameState state, int ghost) {
-        if (state.has(GameState.RANDOM_LAIR_EXIT)) {
+        if (state.has(GameSwitch.RANDOM_LAIR_EXIT)) {
             return state.graph.junctionNode(state.drawsOfTheRun().nextInt(state.graph.junctionCount()));
         }
-        if (state.has(GameState.LAIR_EXIT_DATABASE)) {
+        if (state.has(GameSwitch.LAIR_EXIT_DATABASE)) {
             int observation = state.drawsOfTheRun().nextInt(GhostLocations.SITUATIONS);
             return state.rules
+                    .ghosts()
                     .ghostLocations()
-                    .node(state.mazeIndex, state.rules.startingPowerPill(), observation, ghost);
+                    .node(state.mazeIndex, state.rules.mazes().startingPowerPill(), observation, ghost);
         }
         return state.graph.ghostStart();
     }
 
     /** Step 10: one more life, once per game. */
     static void updateExtraLife(GameState state) {
-        if (state.rules.extraLife() && !state.extraLifeReceived && state.score >= Constants.EXTRA_LIFE_SCORE) {
+        if (state.rules.levels().extraLife() && !state.extraLifeReceived && state.score >= Constants.EXTRA_LIFE_SCORE) {
             state.extraLifeReceived = true;
             state.lives++;
         }
@@ -425,23 +429,24 @@ final class GameStep {
                 return;
             }
         }
-        boolean outOfTime = !state.rules.fatalTimeLimit() && state.levelTime >= state.rules.levelTimeLimit();
+        boolean outOfTime = !state.rules.levels().fatalTimeLimit()
+                && state.levelTime >= state.rules.levels().levelTimeLimit();
         if (outOfTime || isCleared(state)) {
             state.newLevel();
         }
     }
 
     private static boolean isCleared(GameState state) {
-        if (state.powerPills != 0 || state.has(GameState.END_ONLY_ON_TIME_LIMIT)) {
+        if (state.powerPills != 0 || state.has(GameSwitch.END_ONLY_ON_TIME_LIMIT)) {
             return false;
         }
-        if (state.has(GameState.END_AFTER_POWER_PILLS_EATEN)) {
+        if (state.has(GameSwitch.END_AFTER_POWER_PILLS_EATEN)) {
             return true;
         }
-        boolean chances = state.has(GameState.END_AFTER_GHOST_EATING_CHANCES);
+        boolean chances = state.has(GameSwitch.END_AFTER_GHOST_EATING_CHANCES);
         if (state.pillsLeft > 0 && !chances) {
             return false;
         }
-        return !(chances || state.has(GameState.WITHOUT_PILLS)) || !state.isAnyEdible();
+        return !(chances || state.has(GameSwitch.WITHOUT_PILLS)) || !state.isAnyEdible();
     }
 }

@@ -88,10 +88,10 @@ final class StateText {
                 state.ghostRegret,
                 state.eatenGhosts,
                 state.eatenPills,
-                state.has(GameState.WITHOUT_PILLS),
-                state.has(GameState.WITHOUT_POWER_PILLS),
-                state.has(GameState.END_AFTER_GHOST_EATING_CHANCES),
-                state.has(GameState.END_AFTER_POWER_PILLS_EATEN));
+                state.has(GameSwitch.WITHOUT_PILLS),
+                state.has(GameSwitch.WITHOUT_POWER_PILLS),
+                state.has(GameSwitch.END_AFTER_GHOST_EATING_CHANCES),
+                state.has(GameSwitch.END_AFTER_POWER_PILLS_EATEN));
     }
 
     private static void append(StringBuilder text, Object... values) {
@@ -170,10 +170,10 @@ final class StateText {
         state.ghostRegret = nextInt();
         state.eatenGhosts = nextInt();
         state.eatenPills = nextInt();
-        state.set(GameState.WITHOUT_PILLS, nextBoolean());
-        state.set(GameState.WITHOUT_POWER_PILLS, nextBoolean());
-        state.set(GameState.END_AFTER_GHOST_EATING_CHANCES, nextBoolean());
-        state.set(GameState.END_AFTER_POWER_PILLS_EATEN, nextBoolean());
+        state.set(GameSwitch.WITHOUT_PILLS, nextBoolean());
+        state.set(GameSwitch.WITHOUT_POWER_PILLS, nextBoolean());
+        state.set(GameSwitch.END_AFTER_GHOST_EATING_CHANCES, nextBoolean());
+        state.set(GameSwitch.END_AFTER_POWER_PILLS_EATEN, nextBoolean());
     }
 
     private static void readPills(GameState state, String pills, String powerPills) {
@@ -207,7 +207,8 @@ final class StateText {
 
     /** After the last level, nodes are still those of its maze; a game with more levels goes on in the next. */
     private int nextNode(GameState state) {
-        int lastNodes = state.rules.mazes().get(state.shownMazeIndex()).graph().nodeCount();
+        int lastNodes =
+                state.rules.mazes().mazes().get(state.shownMazeIndex()).graph().nodeCount();
         return Objects.checkIndex(nextInt(), Math.max(state.graph.nodeCount(), lastNodes));
     }
 

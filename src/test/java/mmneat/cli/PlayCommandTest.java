@@ -67,7 +67,7 @@ class PlayCommandTest extends CommandTest {
         assertThat(execute("play", "rules=isolatedGhosts", "maze=c", "record=" + recording))
                 .isZero();
         GameRules rules = GameRules.isolatedGhosts(0, GhostLocations.shipped());
-        Game game = new Game(0, rules.with().onlyMaze(2).build());
+        Game game = new Game(0, rules.withMazes(mazes -> mazes.withOnlyMaze(2)));
         TreeSet<Integer> levels = new TreeSet<>();
         for (String state : Recording.load(recording).states()) {
             game.setGameState(state);

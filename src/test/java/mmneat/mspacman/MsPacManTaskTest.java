@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
-import pacman.game.GameSwitches;
+import pacman.game.GameSwitch;
 import pacman.game.GhostLocations;
 
 class MsPacManTaskTest {
@@ -172,13 +172,13 @@ class MsPacManTaskTest {
                 TaskVersion.ISOLATED,
                 MsPacManTaskSettings.isolated(GhostLocations.shipped()).rules());
         assertThat(isolated).extracting(TrialGame::countsGhosts).containsExactly(false, true, true, true, true);
-        assertThat(isolated.get(0).rules().switches().withoutPowerPills()).isTrue();
+        assertThat(isolated.get(0).rules().switches()).contains(GameSwitch.WITHOUT_POWER_PILLS);
         assertThat(isolated.subList(1, 5))
-                .extracting(game -> game.rules().startingPowerPill())
+                .extracting(game -> game.rules().mazes().startingPowerPill())
                 .containsExactly(0, 1, 2, 3);
         assertThat(isolated.subList(1, 5))
                 .extracting(game -> game.rules().switches())
-                .containsOnly(GameSwitches.GHOST_TASK);
+                .containsOnly(GameSwitch.GHOST_TASK);
         assertThatThrownBy(() -> TrialGame.of(TaskVersion.ISOLATED, rules))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("ghostLocations");

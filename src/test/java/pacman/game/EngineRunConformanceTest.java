@@ -43,7 +43,7 @@ class EngineRunConformanceTest {
                     default -> GameRules.isolatedGhosts(corner, TraceConformanceTest.originalGhostLocations());
                 };
         ResumableRandom shared = new ResumableRandom(99);
-        Game game = new Game(seed, rules.with().lives(lives).build(), shared);
+        Game game = new Game(seed, rules.withLevels(levels -> levels.withLives(lives)), shared);
         List<String> actual = new ArrayList<>();
         int next = 0;
         for (int step = 0; ; step++) {

@@ -22,8 +22,7 @@ import pacman.game.GameRules.Copies;
 class FairCopiesTest {
 
     private static final GameRules FAIR = GameRules.competition();
-    private static final GameRules CONTINUING =
-            FAIR.with().copies(Copies.CONTINUE_THE_GAME).build();
+    private static final GameRules CONTINUING = FAIR.withCopies(Copies.CONTINUE_THE_GAME);
 
     @Test
     void competitionPresets_haveIndependentCopies_andTheOthersContinue() {

@@ -54,22 +54,24 @@ final class GameRecorder {
         // The recorded games were made with copies that continue the game, and are read with these.
         GameRules.Copies continuing = GameRules.Copies.CONTINUE_THE_GAME;
         Map<String, GameRules> rules = new LinkedHashMap<>();
-        rules.put(
-                "competition", GameRules.competition().with().copies(continuing).build());
-        rules.put("mpmvsg", GameRules.mpmVsGhosts().with().copies(continuing).build());
+        rules.put("competition", GameRules.competition().withCopies(continuing));
+        rules.put("mpmvsg", GameRules.mpmVsGhosts().withCopies(continuing));
         rules.put("fourmaze", GameRules.fourMaze());
         rules.put("blended", base);
         rules.put("interleaved", GameRules.interleaved());
         rules.put("pilltask", GameRules.isolatedPills());
         rules.put("ghosttask", GameRules.isolatedGhosts(0, ghostLocations()));
-        rules.put("twoghosts", base.with().activeGhosts(2).build());
-        rules.put("infinite", base.with().infiniteEdibleTime(true).build());
-        rules.put("noreversal", base.with().randomGhostReversals(false).build());
-        rules.put("improper", base.with().dieOnImproperPowerPillEating(true).build());
-        rules.put("punish", base.with().powerPillPunishmentRate(0.3).build());
-        rules.put("preeaten", base.with().preEatenPillPortion(0.8).build());
-        rules.put("onlymaze", base.with().onlyMaze(2).lives(3).build());
-        rules.put("times", base.with().edibleTime(333).lairTime(77).lives(5).build());
+        rules.put("twoghosts", base.withGhosts(ghosts -> ghosts.withActiveGhosts(2)));
+        rules.put("infinite", base.withGhosts(ghosts -> ghosts.withInfiniteEdibleTime(true)));
+        rules.put("noreversal", base.withGhosts(ghosts -> ghosts.withRandomGhostReversals(false)));
+        rules.put("improper", base.withPills(pills -> pills.withDieOnImproperPowerPillEating(true)));
+        rules.put("punish", base.withPills(pills -> pills.withPowerPillPunishmentRate(0.3)));
+        rules.put("preeaten", base.withPills(pills -> pills.withPreEatenPillPortion(0.8)));
+        rules.put("onlymaze", base.withMazes(mazes -> mazes.withOnlyMaze(2)).withLevels(levels -> levels.withLives(3)));
+        rules.put(
+                "times",
+                base.withGhosts(ghosts -> ghosts.withEdibleTime(333).withLairTime(77))
+                        .withLevels(levels -> levels.withLives(5)));
         return rules;
     }
 
@@ -85,12 +87,11 @@ final class GameRecorder {
     }
 
     private void record(String name, GameRules rules, int number) {
-        int maze = rules.onlyMaze() >= 0 ? 0 : random.nextInt(4);
-        int powerPill = rules.startingPowerPill() >= 0 ? number : -1;
+        int maze = rules.mazes().onlyMaze() >= 0 ? 0 : random.nextInt(4);
+        int powerPill = rules.mazes().startingPowerPill() >= 0 ? number : -1;
         long seed = random.nextLong();
         long globalSeed = random.nextInt(1 << 30);
-        GameRules own =
-                rules.with().initialMaze(maze).startingPowerPill(powerPill).build();
+        GameRules own = rules.withMazes(mazes -> mazes.withInitialMaze(maze).withStartingPowerPill(powerPill));
         TracedGame traced = new TracedGame(seed, own, globalSeed);
         lines.accept(TracedGame.JSON
                 .createObjectNode()

@@ -5,8 +5,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.StringReader;
+import java.lang.reflect.Method;
+import java.lang.reflect.RecordComponent;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import pacman.Executor;
 import pacman.controllers.examples.Legacy;
 import pacman.controllers.examples.StarterPacMan;
@@ -18,58 +24,99 @@ class GameRulesTest {
     @Test
     void changedCopy_changesNothingElse() {
         GameRules rules = GameRules.mpmVsGhosts();
-        assertThat(rules.with().build()).isEqualTo(rules);
-        assertThat(rules.with().edibleTime(333).build().edibleTime()).isEqualTo(333);
-        assertThat(rules.with().edibleTime(333).build().with().edibleTime(200).build())
+        assertThat(rules.withGhosts(ghosts -> ghosts.withEdibleTime(333))
+                        .ghosts()
+                        .edibleTime())
+                .isEqualTo(333);
+        assertThat(rules.withGhosts(ghosts -> ghosts.withEdibleTime(333))
+                        .withGhosts(ghosts -> ghosts.withEdibleTime(200)))
                 .isEqualTo(rules);
+    }
+
+    /** Every {@code with...} of the four parts changes the component that it names, and no other. */
+    @ParameterizedTest
+    @MethodSource
+    void everyChange_isThatOfItsName(Record part) throws ReflectiveOperationException {
+        RecordComponent[] components = part.getClass().getRecordComponents();
+        for (RecordComponent component : components) {
+            String name = component.getName();
+            Object value = otherThan(component.getAccessor().invoke(part), component.getType());
+            Method change = part.getClass()
+                    .getMethod(
+                            "with" + name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1),
+                            component.getType());
+            Object changed = change.invoke(part, value);
+            for (RecordComponent other : components) {
+                Object expected =
+                        other == component ? value : other.getAccessor().invoke(part);
+                assertThat(other.getAccessor().invoke(changed))
+                        .as("%s after %s", other, change)
+                        .isEqualTo(expected);
+            }
+        }
+    }
+
+    static Stream<Record> everyChange_isThatOfItsName() {
+        GameRules rules = GameRules.blended();
+        return Stream.of(rules.mazes(), rules.levels(), rules.ghosts(), rules.pills());
+    }
+
+    private static Object otherThan(Object value, Class<?> type) {
+        if (type == boolean.class) {
+            return !(boolean) value;
+        }
+        if (type == int.class) {
+            return (int) value == 3 ? 2 : 3;
+        }
+        if (type == double.class) {
+            return 0.5;
+        }
+        return type == Mazes.class
+                ? Mazes.of(List.of(Mazes.standard().get(0), Mazes.standard().get(1)))
+                : GhostLocations.shipped();
     }
 
     @Test
     void presets_areTheirFrameworks() {
-        assertThat(GameRules.fourMaze().levelTimeLimit()).isEqualTo(50_000);
-        assertThat(GameRules.fourMaze().maximumLevel()).isEqualTo(4);
-        assertThat(GameRules.mpmVsGhosts().maximumLevel()).isEqualTo(16);
-        assertThat(GameRules.mpmVsGhosts().levelTimeLimit()).isEqualTo(3000);
-        assertThat(GameRules.competition().levelTimeLimit()).isEqualTo(4000);
-        assertThat(GameRules.competition().maximumLevel()).isEqualTo(Integer.MAX_VALUE);
+        assertThat(GameRules.fourMaze().levels().levelTimeLimit()).isEqualTo(50_000);
+        assertThat(GameRules.fourMaze().levels().maximumLevel()).isEqualTo(4);
+        assertThat(GameRules.mpmVsGhosts().levels().maximumLevel()).isEqualTo(16);
+        assertThat(GameRules.mpmVsGhosts().levels().levelTimeLimit()).isEqualTo(3000);
+        assertThat(GameRules.competition().levels().levelTimeLimit()).isEqualTo(4000);
+        assertThat(GameRules.competition().levels().maximumLevel()).isEqualTo(Integer.MAX_VALUE);
     }
 
     @Test
     void valueOutOfRange_isNamed() {
-        assertThatThrownBy(() -> GameRules.blended().with().lives(0).build())
+        assertThatThrownBy(() -> GameRules.blended().withLevels(levels -> levels.withLives(0)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("lives must be from 1");
-        assertThatThrownBy(() -> GameRules.blended().with().activeGhosts(5).build())
+        assertThatThrownBy(() -> GameRules.blended().withGhosts(ghosts -> ghosts.withActiveGhosts(5)))
                 .hasMessageStartingWith("activeGhosts must be from 0 to 4, is 5");
-        assertThatThrownBy(() ->
-                        GameRules.blended().with().preEatenPillPortion(1.5).build())
+        assertThatThrownBy(() -> GameRules.blended().withPills(pills -> pills.withPreEatenPillPortion(1.5)))
                 .hasMessageStartingWith("preEatenPillPortion must be from 0 to 1, is 1.5");
-        assertThatThrownBy(() -> GameRules.blended().with().initialMaze(4).build())
+        assertThatThrownBy(() -> GameRules.blended().withMazes(mazes -> mazes.withInitialMaze(4)))
                 .hasMessageStartingWith("initialMaze must be from 0 to 3, is 4");
         assertThatThrownBy(() -> GameRules.isolatedGhosts(0, null))
                 .hasMessageStartingWith("lairExitDatabase needs ghostLocations");
-        assertThatThrownBy(() -> GameRules.blended().with().lairTime(1).build())
+        assertThatThrownBy(() -> GameRules.blended().withGhosts(ghosts -> ghosts.withLairTime(1)))
                 .hasMessageStartingWith("lairTime must be from 2");
         Mazes own = Mazes.of(List.of(Mazes.standard().get(0)));
         assertThatThrownBy(() -> GameRules.isolatedGhosts(0, GameRecorder.ghostLocations())
-                        .with()
-                        .mazes(own)
-                        .build())
+                        .withMazes(mazes -> mazes.withMazes(own)))
                 .hasMessageStartingWith("lairExitDatabase needs ghostLocations, which are recorded in the four mazes");
         assertThatThrownBy(() -> GameRules.blended()
-                        .with()
-                        .mazes(own)
-                        .startingPowerPill(4)
-                        .build())
+                        .withMazes(mazes -> mazes.withMazes(own).withStartingPowerPill(4)))
                 .hasMessage("startingPowerPill must be from -1 to 3, is 4");
-        assertThatThrownBy(() -> GameRules.blended().with().startingPowerPill(4).build())
+        assertThatThrownBy(() -> GameRules.blended().withMazes(mazes -> mazes.withStartingPowerPill(4)))
                 .hasMessage("startingPowerPill must be from -1 to 3, is 4");
     }
 
     @Test
     void shortestLairTime_isEnoughForEveryLevel() {
-        GameRules rules =
-                GameRules.competition().with().lairTime(2).levelTimeLimit(200).build();
+        GameRules rules = GameRules.competition()
+                .withGhosts(ghosts -> ghosts.withLairTime(2))
+                .withLevels(levels -> levels.withLevelTimeLimit(200));
         Executor executor = new Executor();
         for (long seed = 0; seed < 20; seed++) {
             Game game = new Game(seed, rules);
@@ -81,7 +128,7 @@ class GameRulesTest {
     @Test
     void lairExitDatabase_withoutStartingPowerPill_isRefused() {
         GameRules rules = GameRules.isolatedGhosts(0, GameRecorder.ghostLocations());
-        assertThatThrownBy(() -> new Game(0, rules.with().startingPowerPill(-1).build()))
+        assertThatThrownBy(() -> new Game(0, rules.withMazes(mazes -> mazes.withStartingPowerPill(-1))))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("a startingPowerPill");
         assertThatThrownBy(() -> new Game(0).setLairExitDatabase(true)).isInstanceOf(IllegalArgumentException.class);

@@ -76,10 +76,7 @@ class GameTest {
     void competitionCopyThatContinues_isTheGamesEqual_flagsIncluded() {
         ResumableRandom random = new ResumableRandom(5);
         int flagsSeen = 0;
-        GameRules rules = GameRules.competition()
-                .with()
-                .copies(GameRules.Copies.CONTINUE_THE_GAME)
-                .build();
+        GameRules rules = GameRules.competition().withCopies(GameRules.Copies.CONTINUE_THE_GAME);
         for (long seed = 0; seed < 20; seed++) {
             Game game = new Game(seed, rules);
             while (!game.gameOver()) {
@@ -99,8 +96,7 @@ class GameTest {
 
     @Test
     void competitionCopy_continuesTheSwitches() {
-        GameRules rules =
-                GameRules.competition().with().switches(GameSwitches.PILL_TASK).build();
+        GameRules rules = GameRules.competition().withSwitches(GameSwitch.PILL_TASK);
         Game copy = new Game(1, rules).copy();
         Game next = copy.copy();
         while (next.getCurrentLevel() == 0 && next.getCurrentLevelTime() < Constants.LEVEL_LIMIT) {
@@ -155,7 +151,7 @@ class GameTest {
 
     @Test
     void competitionLevel_endsAfterFourThousandSteps_andTheGameAfterTwentyFourThousand() {
-        GameRules rules = GameRules.competition().with().activeGhosts(0).build();
+        GameRules rules = GameRules.competition().withGhosts(ghosts -> ghosts.withActiveGhosts(0));
         Game game = new Game(0, rules);
         for (int step = 0; step < 3999; step++) {
             game.advanceGame(MOVE.NEUTRAL, null);
@@ -328,12 +324,9 @@ class GameTest {
     @Test
     void finishedGame_givesAStateThatCanBeReadAgain() {
         GameRules rules = GameRules.blended()
-                .with()
-                .levelTimeLimit(50)
-                .fatalTimeLimit(false)
-                .build();
-        for (int onlyMaze = -1; onlyMaze < 4; onlyMaze++) {
-            GameRules here = rules.with().onlyMaze(onlyMaze).build();
+                .withLevels(levels -> levels.withLevelTimeLimit(50).withFatalTimeLimit(false));
+        for (int onlyMaze : new int[] {-1, 0, 1, 2, 3}) {
+            GameRules here = rules.withMazes(mazes -> mazes.withOnlyMaze(onlyMaze));
             Game game = new Game(1, here, new ResumableRandom(1));
             while (!game.gameOver()) {
                 game.advanceGame(MOVE.LEFT, null);
@@ -376,12 +369,9 @@ class GameTest {
         MazeTables first = Mazes.standard().get(0);
         MazeTables none = MazeTables.parse("none", DRAWING_WITHOUT_POWER_PILLS);
         GameRules rules = GameRules.mmneat()
-                .with()
-                .mazes(Mazes.of(List.of(first, none)))
-                .maximumLevel(1)
-                .levelTimeLimit(20)
-                .fatalTimeLimit(false)
-                .build();
+                .withMazes(mazes -> mazes.withMazes(Mazes.of(List.of(first, none))))
+                .withLevels(levels ->
+                        levels.withMaximumLevel(1).withLevelTimeLimit(20).withFatalTimeLimit(false));
         Game game = new Game(0, rules);
         while (!game.gameOver()) {
             game.advanceGame(MOVE.LEFT, null);

@@ -51,7 +51,9 @@ class MazeQueryConformanceTest {
     private void enter(JsonNode maze) {
         game = new Game(
                 0,
-                GameRules.mmneat().with().initialMaze(maze.get("maze").asInt()).build());
+                GameRules.mmneat()
+                        .withMazes(
+                                mazes -> mazes.withInitialMaze(maze.get("maze").asInt())));
         Maze current = game.getCurrentMaze();
         assertThat(current.name).isEqualTo(maze.get("name").asText());
         assertThat(game.getNumberOfNodes()).isEqualTo(maze.get("nodes").asInt());

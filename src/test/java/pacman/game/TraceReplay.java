@@ -75,10 +75,9 @@ final class TraceReplay {
         game = line.get("id").asText();
         games++;
         step = 0;
-        GameRules own = rules.with()
-                .initialMaze(line.get("initialMaze").asInt())
-                .startingPowerPill(line.get("startPowerPill").asInt())
-                .build();
+        GameRules own = rules.withMazes(
+                mazes -> mazes.withInitialMaze(line.get("initialMaze").asInt())
+                        .withStartingPowerPill(line.get("startPowerPill").asInt()));
         traced = new TracedGame(
                 line.get("seed").asLong(), own, line.get("globalSeed").asLong());
         assertThat(traced.drawsAtStart())

@@ -2,87 +2,89 @@ package pacman.game;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Set;
 import pacman.game.GameRules.Conventions;
 
 /** Rules as a trace file writes them: parameters by their command line names, and switches. */
 final class TraceRules {
+
+    /** The names of the switches in a trace file. */
+    private static final Map<GameSwitch, String> NAMES = new EnumMap<>(GameSwitch.class);
+
+    static {
+        NAMES.put(GameSwitch.EXIT_LAIR_EDIBLE, "exitLairEdible");
+        NAMES.put(GameSwitch.END_ONLY_ON_TIME_LIMIT, "endOnlyOnTimeLimit");
+        NAMES.put(GameSwitch.RANDOM_LAIR_EXIT, "randomLairExit");
+        NAMES.put(GameSwitch.LAIR_EXIT_DATABASE, "lairExitDatabase");
+        NAMES.put(GameSwitch.SIMULTANEOUS_LAIR_EXIT, "simultaneousLairExit");
+        NAMES.put(GameSwitch.GHOSTS_START_OUTSIDE_LAIR, "ghostsStartOutsideLair");
+        NAMES.put(GameSwitch.ONLY_ONE_LAIR_EXIT, "onlyOneLairExitAllowed");
+        NAMES.put(GameSwitch.END_AFTER_GHOST_EATING_CHANCES, "endAfterGhostEatingChances");
+        NAMES.put(GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS, "removePillsNearPowerPills");
+        NAMES.put(GameSwitch.WITHOUT_PILLS, "noPills");
+        NAMES.put(GameSwitch.WITHOUT_POWER_PILLS, "noPowerPills");
+        NAMES.put(GameSwitch.END_AFTER_POWER_PILLS_EATEN, "endAfterPowerPillsEaten");
+    }
 
     private TraceRules() {}
 
     static GameRules read(JsonNode line, GhostLocations ghostLocations) {
         JsonNode params = line.get("params");
         JsonNode on = line.get("switches");
-        return new GameRules.Builder()
-                .conventions(Conventions.valueOf(params.path("conventions").asText("MM_NEAT")))
-                .lives(params.get("pacmanLives").asInt())
-                .extraLife(params.get("pacManGainsLives").asBoolean())
-                .maximumLevel(params.get("pacmanMaxLevel").asInt())
-                .levelTimeLimit(params.get("pacManLevelTimeLimit").asInt())
-                .fatalTimeLimit(params.get("pacmanFatalTimeLimit").asBoolean())
-                .creditForRemainingPills(params.get("getRemainingPills").asBoolean())
-                .edibleTime(params.get("edibleTime").asInt())
-                .lairTime(params.get("lairTime").asInt())
-                .infiniteEdibleTime(params.get("infiniteEdibleTime").asBoolean())
-                .imprisonedWhileEdible(params.get("imprisonedWhileEdible").asBoolean())
-                .randomGhostReversals(params.get("allowRandomGhostReversals").asBoolean())
-                .activeGhosts(params.get("numActiveGhosts").asInt())
-                .preEatenPillPortion(params.get("preEatenPillPercentage").asDouble())
-                .powerPillPunishmentRate(params.get("powerPillPunishmentRate").asDouble())
-                .dieOnImproperPowerPillEating(
-                        params.get("dieOnImproperPowerPillEating").asBoolean())
-                .closeGhostDistance(params.get("closeGhostDistance").asInt())
-                .onlyMaze(params.get("justMaze").asInt())
-                .ghostLocations(ghostLocations)
-                .switches(new GameSwitches(
-                        on.get("exitLairEdible").asBoolean(),
-                        on.get("endOnlyOnTimeLimit").asBoolean(),
-                        on.get("randomLairExit").asBoolean(),
-                        on.get("lairExitDatabase").asBoolean(),
-                        on.get("simultaneousLairExit").asBoolean(),
-                        on.get("ghostsStartOutsideLair").asBoolean(),
-                        on.get("onlyOneLairExitAllowed").asBoolean(),
-                        on.get("endAfterGhostEatingChances").asBoolean(),
-                        on.get("removePillsNearPowerPills").asBoolean(),
-                        on.get("noPills").asBoolean(),
-                        on.get("noPowerPills").asBoolean(),
-                        on.get("endAfterPowerPillsEaten").asBoolean()))
-                .build();
+        Set<GameSwitch> switches = EnumSet.allOf(GameSwitch.class);
+        switches.removeIf(each -> !on.get(NAMES.get(each)).asBoolean());
+        return new GameRules(
+                Conventions.valueOf(params.path("conventions").asText("MM_NEAT")),
+                GameRules.Copies.CONTINUE_THE_GAME,
+                MazeRules.MM_NEAT.withOnlyMaze(params.get("justMaze").asInt()),
+                new LevelRules(
+                        params.get("pacmanLives").asInt(),
+                        params.get("pacManGainsLives").asBoolean(),
+                        params.get("pacmanMaxLevel").asInt(),
+                        params.get("pacManLevelTimeLimit").asInt(),
+                        params.get("pacmanFatalTimeLimit").asBoolean(),
+                        params.get("getRemainingPills").asBoolean()),
+                new GhostRules(
+                        params.get("numActiveGhosts").asInt(),
+                        params.get("edibleTime").asInt(),
+                        params.get("infiniteEdibleTime").asBoolean(),
+                        params.get("lairTime").asInt(),
+                        params.get("imprisonedWhileEdible").asBoolean(),
+                        params.get("allowRandomGhostReversals").asBoolean(),
+                        ghostLocations),
+                new PillRules(
+                        params.get("preEatenPillPercentage").asDouble(),
+                        params.get("closeGhostDistance").asInt(),
+                        params.get("powerPillPunishmentRate").asDouble(),
+                        params.get("dieOnImproperPowerPillEating").asBoolean()),
+                switches);
     }
 
     static void write(String name, GameRules rules, ObjectNode line) {
         line.put("type", "rules").put("name", name);
         line.putObject("params")
                 .put("conventions", rules.conventions().name())
-                .put("pacmanLives", rules.lives())
-                .put("pacManGainsLives", rules.extraLife())
-                .put("pacmanMaxLevel", rules.maximumLevel())
-                .put("pacManLevelTimeLimit", rules.levelTimeLimit())
-                .put("pacmanFatalTimeLimit", rules.fatalTimeLimit())
-                .put("getRemainingPills", rules.creditForRemainingPills())
-                .put("edibleTime", rules.edibleTime())
-                .put("lairTime", rules.lairTime())
-                .put("infiniteEdibleTime", rules.infiniteEdibleTime())
-                .put("imprisonedWhileEdible", rules.imprisonedWhileEdible())
-                .put("allowRandomGhostReversals", rules.randomGhostReversals())
-                .put("numActiveGhosts", rules.activeGhosts())
-                .put("preEatenPillPercentage", rules.preEatenPillPortion())
-                .put("powerPillPunishmentRate", rules.powerPillPunishmentRate())
-                .put("dieOnImproperPowerPillEating", rules.dieOnImproperPowerPillEating())
-                .put("closeGhostDistance", rules.closeGhostDistance())
-                .put("justMaze", rules.onlyMaze());
-        GameSwitches on = rules.switches();
-        line.putObject("switches")
-                .put("exitLairEdible", on.exitLairEdible())
-                .put("endOnlyOnTimeLimit", on.endOnlyOnTimeLimit())
-                .put("randomLairExit", on.randomLairExit())
-                .put("lairExitDatabase", on.lairExitDatabase())
-                .put("simultaneousLairExit", on.simultaneousLairExit())
-                .put("ghostsStartOutsideLair", on.ghostsStartOutsideLair())
-                .put("onlyOneLairExitAllowed", on.onlyOneLairExitAllowed())
-                .put("endAfterGhostEatingChances", on.endAfterGhostEatingChances())
-                .put("removePillsNearPowerPills", on.removePillsNearPowerPills())
-                .put("noPills", on.withoutPills())
-                .put("noPowerPills", on.withoutPowerPills())
-                .put("endAfterPowerPillsEaten", on.endAfterPowerPillsEaten());
+                .put("pacmanLives", rules.levels().lives())
+                .put("pacManGainsLives", rules.levels().extraLife())
+                .put("pacmanMaxLevel", rules.levels().maximumLevel())
+                .put("pacManLevelTimeLimit", rules.levels().levelTimeLimit())
+                .put("pacmanFatalTimeLimit", rules.levels().fatalTimeLimit())
+                .put("getRemainingPills", rules.levels().creditForRemainingPills())
+                .put("edibleTime", rules.ghosts().edibleTime())
+                .put("lairTime", rules.ghosts().lairTime())
+                .put("infiniteEdibleTime", rules.ghosts().infiniteEdibleTime())
+                .put("imprisonedWhileEdible", rules.ghosts().imprisonedWhileEdible())
+                .put("allowRandomGhostReversals", rules.ghosts().randomGhostReversals())
+                .put("numActiveGhosts", rules.ghosts().activeGhosts())
+                .put("preEatenPillPercentage", rules.pills().preEatenPillPortion())
+                .put("powerPillPunishmentRate", rules.pills().powerPillPunishmentRate())
+                .put("dieOnImproperPowerPillEating", rules.pills().dieOnImproperPowerPillEating())
+                .put("closeGhostDistance", rules.pills().closeGhostDistance())
+                .put("justMaze", rules.mazes().onlyMaze());
+        ObjectNode on = line.putObject("switches");
+        NAMES.forEach((each, written) -> on.put(written, rules.switches().contains(each)));
     }
 }

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.charset.StandardCharsets;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Set;
 import java.util.zip.CRC32;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.GHOST;
@@ -155,7 +156,7 @@ final class TracedGame {
 
     /** The situations drawn from the recording of ghost locations, after the numbers for edible times that ran out. */
     private void appendSituations(StringBuilder line, int timeouts) {
-        if (!rules.switches().lairExitDatabase()) {
+        if (!rules.switches().contains(GameSwitch.LAIR_EXIT_DATABASE)) {
             return;
         }
         for (int timeout = 0; timeout < timeouts; timeout++) {
@@ -198,8 +199,7 @@ final class TracedGame {
     }
 
     private Game restored() {
-        GameRules plain =
-                rules.with().switches(GameSwitches.NONE).initialMaze(0).build();
+        GameRules plain = rules.withSwitches(Set.of()).withMazes(mazes -> mazes.withInitialMaze(0));
         Game restored = new Game(0, plain, shared);
         restored.setGameState(game.getGameState());
         return restored;

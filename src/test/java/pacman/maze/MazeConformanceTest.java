@@ -114,7 +114,7 @@ class MazeConformanceTest {
         private long totalLength;
 
         Checksums(int index) {
-            game = new Game(0, GameRules.mmneat().with().initialMaze(index).build());
+            game = new Game(0, GameRules.mmneat().withMazes(mazes -> mazes.withInitialMaze(index)));
             paths = game.mazeTables().paths();
             graph = game.mazeTables().graph();
         }

@@ -66,8 +66,7 @@ class MazeDrawingTest {
         Path file = folder.resolve("fifth.txt");
         Files.writeString(file, "; my maze\n\n" + text(fifthMaze()));
         MazeTables tables = MazeTables.read(file);
-        GameRules rules =
-                GameRules.competition().with().mazes(Mazes.of(List.of(tables))).build();
+        GameRules rules = GameRules.competition().withMazes(mazes -> mazes.withMazes(Mazes.of(List.of(tables))));
         Game game = new Game(1, rules);
         ResumableRandom random = new ResumableRandom(1);
         while (!game.gameOver()) {

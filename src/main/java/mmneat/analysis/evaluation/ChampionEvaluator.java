@@ -109,7 +109,7 @@ public final class ChampionEvaluator implements AutoCloseable {
             return settings.version() == TaskVersion.ISOLATED
                     ? ", ghost locations "
                             + Integer.toHexString(
-                                    settings.rules().ghostLocations().hashCode())
+                                    settings.rules().ghosts().ghostLocations().hashCode())
                     : "";
         }
 

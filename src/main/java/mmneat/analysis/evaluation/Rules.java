@@ -46,22 +46,11 @@ public enum Rules {
         return switch (this) {
             case TRAINING -> training;
             case FOUR_MAZE ->
-                training.with()
-                        .lives(Constants.NUM_LIVES)
-                        .extraLife(true)
-                        .levelTimeLimit(NO_LIMIT_OF_CONSEQUENCE)
-                        .build();
-            case MPM_VS_GHOSTS -> {
-                GameRules competition = GameRules.mpmVsGhosts();
-                yield training.with()
-                        .lives(competition.lives())
-                        .extraLife(true)
-                        .maximumLevel(competition.maximumLevel())
-                        .levelTimeLimit(competition.levelTimeLimit())
-                        .fatalTimeLimit(competition.fatalTimeLimit())
-                        .creditForRemainingPills(competition.creditForRemainingPills())
-                        .build();
-            }
+                training.withLevels(levels -> levels.withLives(Constants.NUM_LIVES)
+                        .withExtraLife(true)
+                        .withLevelTimeLimit(NO_LIMIT_OF_CONSEQUENCE));
+            case MPM_VS_GHOSTS ->
+                training.withLevels(unused -> GameRules.mpmVsGhosts().levels());
         };
     }
 }

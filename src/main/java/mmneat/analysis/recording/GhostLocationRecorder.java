@@ -65,8 +65,8 @@ public final class GhostLocationRecorder {
      * @param firstMaze maze in which it starts, 0 to 3
      */
     public void playGame(int firstMaze) {
-        MsPacManTaskSettings started = settings.withRules(
-                settings.rules().with().initialMaze(firstMaze).build());
+        MsPacManTaskSettings started =
+                settings.withRules(settings.rules().withMazes(mazes -> mazes.withInitialMaze(firstMaze)));
         new MsPacManTask(started).evaluate(champion, random, notes);
         games++;
     }

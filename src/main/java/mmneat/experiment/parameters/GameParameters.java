@@ -27,8 +27,13 @@ import pacman.controllers.examples.RandomGhosts;
 import pacman.controllers.examples.StarterGhosts;
 import pacman.controllers.examples.VeryRandomLegacy;
 import pacman.game.GameRules;
-import pacman.game.GameSwitches;
+import pacman.game.GameSwitch;
 import pacman.game.GhostLocations;
+import pacman.game.GhostRules;
+import pacman.game.LevelRules;
+import pacman.game.MazeRules;
+import pacman.game.PillRules;
+import pacman.maze.Mazes;
 
 /** The parameters of the Ms. Pac-Man task; named as the parameters, see the catalogue. */
 record GameParameters(
@@ -123,40 +128,44 @@ record GameParameters(
     }
 
     private GameRules rules(TaskVersion version, GhostLocations locations) {
-        return new GameRules.Builder()
-                .lives(pacmanLives)
-                .extraLife(pacManGainsLives)
-                .maximumLevel(pacmanMaxLevel)
-                .levelTimeLimit(pacManLevelTimeLimit)
-                .fatalTimeLimit(pacmanFatalTimeLimit)
-                .edibleTime(edibleTime)
-                .lairTime(lairTime)
-                .activeGhosts(numActiveGhosts)
-                .initialMaze(initialMaze)
-                .onlyMaze(justMaze)
-                .randomGhostReversals(allowRandomGhostReversals)
-                .infiniteEdibleTime(infiniteEdibleTime)
-                .imprisonedWhileEdible(version != TaskVersion.BLENDED)
-                .closeGhostDistance(closeGhostDistance)
-                .preEatenPillPortion(preEatenPillPercentage)
-                .powerPillPunishmentRate(powerPillPunishmentRate)
-                .dieOnImproperPowerPillEating(dieOnImproperPowerPillEating)
-                .creditForRemainingPills(getRemainingPills)
-                .switches(new GameSwitches(
-                        exitLairEdible,
-                        endOnlyOnTimeLimit,
-                        false,
-                        false,
-                        simultaneousLairExit,
-                        false,
-                        false,
-                        endAfterGhostEatingChances,
-                        removePillsNearPowerPills,
-                        noPills,
-                        noPowerPills,
-                        false))
-                .ghostLocations(locations)
-                .build();
+        return new GameRules(
+                GameRules.Conventions.MM_NEAT,
+                GameRules.Copies.CONTINUE_THE_GAME,
+                new MazeRules(Mazes.standard(), initialMaze, justMaze, -1),
+                new LevelRules(
+                        pacmanLives,
+                        pacManGainsLives,
+                        pacmanMaxLevel,
+                        pacManLevelTimeLimit,
+                        pacmanFatalTimeLimit,
+                        getRemainingPills),
+                new GhostRules(
+                        numActiveGhosts,
+                        edibleTime,
+                        infiniteEdibleTime,
+                        lairTime,
+                        version != TaskVersion.BLENDED,
+                        allowRandomGhostReversals,
+                        locations),
+                new PillRules(
+                        preEatenPillPercentage,
+                        closeGhostDistance,
+                        powerPillPunishmentRate,
+                        dieOnImproperPowerPillEating),
+                switches());
+    }
+
+    private Set<GameSwitch> switches() {
+        Map<GameSwitch, Boolean> switches = new EnumMap<>(GameSwitch.class);
+        switches.put(GameSwitch.EXIT_LAIR_EDIBLE, exitLairEdible);
+        switches.put(GameSwitch.END_ONLY_ON_TIME_LIMIT, endOnlyOnTimeLimit);
+        switches.put(GameSwitch.SIMULTANEOUS_LAIR_EXIT, simultaneousLairExit);
+        switches.put(GameSwitch.END_AFTER_GHOST_EATING_CHANCES, endAfterGhostEatingChances);
+        switches.put(GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS, removePillsNearPowerPills);
+        switches.put(GameSwitch.WITHOUT_PILLS, noPills);
+        switches.put(GameSwitch.WITHOUT_POWER_PILLS, noPowerPills);
+        switches.values().removeIf(on -> !on);
+        return switches.keySet();
     }
 
     private SensorSettings sensors(TaskVersion version) {

@@ -72,13 +72,13 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
      * time ran out, to all the time there is, for clearing all levels at once.
      */
     public static GameScore survivalAndSpeed(GameRules rules) {
-        double levelLimit = rules.levelTimeLimit();
-        double allTime = levelLimit * rules.maximumLevel();
+        double levelLimit = rules.levels().levelTimeLimit();
+        double allTime = levelLimit * rules.levels().maximumLevel();
         return new GameScore("SurvivalAndSpeedTimeScore", game -> {
             if (game.getPacmanNumberOfLivesRemaining() <= 0) {
                 return -allTime + game.getCurrentLevel() * levelLimit + game.getCurrentLevelTime();
             }
-            return game.getCurrentLevel() < rules.maximumLevel() ? 0 : allTime - game.getTotalTime();
+            return game.getCurrentLevel() < rules.levels().maximumLevel() ? 0 : allTime - game.getTotalTime();
         });
     }
 

@@ -37,8 +37,8 @@ public record RecordedScore(GameScore score, TrialStatistic statistic) {
         add(recorded, GameScore.POWER_PILLS_EATEN_WHEN_GHOSTS_FAR, AVERAGE);
         add(recorded, survival, AVERAGE, MAX);
         GameScore.pointsOfLevels().forEach(points -> add(recorded, points, AVERAGE));
-        add(recorded, GameScore.parameter("EdibleTimeParameter", rules.edibleTime()), AVERAGE);
-        add(recorded, GameScore.parameter("LairTimeParameter", rules.lairTime()), AVERAGE);
+        add(recorded, GameScore.parameter("EdibleTimeParameter", rules.ghosts().edibleTime()), AVERAGE);
+        add(recorded, GameScore.parameter("LairTimeParameter", rules.ghosts().lairTime()), AVERAGE);
         return List.copyOf(recorded);
     }
 

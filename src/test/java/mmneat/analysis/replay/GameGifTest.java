@@ -75,7 +75,7 @@ class GameGifTest {
             @Override
             public void gameOver(TrialGame setting, Game game, GameEnd end, DirectionEvaluator player) {
                 BufferedImage image = null;
-                if (game.getCurrentLevel() < game.rules().maximumLevel()) {
+                if (game.getCurrentLevel() < game.rules().levels().maximumLevel()) {
                     image = new BufferedImage(
                             view.getPreferredSize().width, view.getPreferredSize().height, BufferedImage.TYPE_INT_RGB);
                     Graphics2D graphics = image.createGraphics();

@@ -64,7 +64,7 @@ class ExampleGamesTest {
         }
 
         ExampleGame played(boolean withCopies) {
-            GameRules rules = GameRules.mmneat().with().lives(lives).build();
+            GameRules rules = GameRules.mmneat().withLevels(levels -> levels.withLives(lives));
             Game game = new Game(seed, rules, new ResumableRandom(0));
             Controller<MOVE> player = PACMEN.get(pacMan).get();
             Controller<EnumMap<GHOST, MOVE>> team = TEAMS.get(ghosts).get();

@@ -1,0 +1,97 @@
+package pacman.game;
+
+/**
+ * The ghosts of a game: their number, their times and where they leave the lair. Immutable. Times are in game steps.
+ *
+ * <p>Source: docs/specification/simulator.md, sections 2 and 7.
+ *
+ * @param activeGhosts number of ghosts that leave the lair, 0 to 4
+ * @param edibleTime steps for which ghosts are edible in the first level
+ * @param infiniteEdibleTime whether ghosts stay edible until they are eaten
+ * @param lairTime steps for which an eaten ghost stays in the lair in the first level, at least 2
+ * @param imprisonedWhileEdible whether no ghost leaves the lair while another is edible
+ * @param randomGhostReversals whether ghosts reverse at random
+ * @param ghostLocations where ghosts leave the lair under {@link GameSwitch#LAIR_EXIT_DATABASE}, in the mazes of the
+ *     competition only; otherwise may be null
+ */
+public record GhostRules(
+        int activeGhosts,
+        int edibleTime,
+        boolean infiniteEdibleTime,
+        int lairTime,
+        boolean imprisonedWhileEdible,
+        boolean randomGhostReversals,
+        GhostLocations ghostLocations) {
+
+    /** MM-NEAT's defaults: the four ghosts of the competition. */
+    static final GhostRules MM_NEAT = new GhostRules(
+            Constants.NUM_GHOSTS, Constants.EDIBLE_TIME, false, Constants.COMMON_LAIR_TIME, false, true, null);
+
+    /** @throws IllegalArgumentException if a value is out of its range */
+    public GhostRules {
+        GameRules.requireRange("activeGhosts", activeGhosts, 0, Constants.NUM_GHOSTS);
+        GameRules.requireRange("edibleTime", edibleTime, 0, Integer.MAX_VALUE);
+        // Shortened from level to level it must stay 1 at least: a ghost without lair time moves, which it cannot in
+        // the lair.
+        GameRules.requireRange("lairTime", lairTime, 2, Integer.MAX_VALUE);
+    }
+
+    public GhostRules withActiveGhosts(int value) {
+        return new GhostRules(
+                value,
+                edibleTime,
+                infiniteEdibleTime,
+                lairTime,
+                imprisonedWhileEdible,
+                randomGhostReversals,
+                ghostLocations);
+    }
+
+    public GhostRules withEdibleTime(int value) {
+        return new GhostRules(
+                activeGhosts,
+                value,
+                infiniteEdibleTime,
+                lairTime,
+                imprisonedWhileEdible,
+                randomGhostReversals,
+                ghostLocations);
+    }
+
+    public GhostRules withInfiniteEdibleTime(boolean value) {
+        return new GhostRules(
+                activeGhosts, edibleTime, value, lairTime, imprisonedWhileEdible, randomGhostReversals, ghostLocations);
+    }
+
+    public GhostRules withLairTime(int value) {
+        return new GhostRules(
+                activeGhosts,
+                edibleTime,
+                infiniteEdibleTime,
+                value,
+                imprisonedWhileEdible,
+                randomGhostReversals,
+                ghostLocations);
+    }
+
+    public GhostRules withImprisonedWhileEdible(boolean value) {
+        return new GhostRules(
+                activeGhosts, edibleTime, infiniteEdibleTime, lairTime, value, randomGhostReversals, ghostLocations);
+    }
+
+    public GhostRules withRandomGhostReversals(boolean value) {
+        return new GhostRules(
+                activeGhosts, edibleTime, infiniteEdibleTime, lairTime, imprisonedWhileEdible, value, ghostLocations);
+    }
+
+    public GhostRules withGhostLocations(GhostLocations value) {
+        return new GhostRules(
+                activeGhosts,
+                edibleTime,
+                infiniteEdibleTime,
+                lairTime,
+                imprisonedWhileEdible,
+                randomGhostReversals,
+                value);
+    }
+}

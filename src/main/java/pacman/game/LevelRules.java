@@ -1,0 +1,57 @@
+package pacman.game;
+
+/**
+ * The levels and lives of a game. Immutable. Times are in game steps.
+ *
+ * <p>Source: docs/specification/simulator.md, sections 2 and 7.
+ *
+ * @param lives lives at the start
+ * @param extraLife whether 10000 points give a life, once per game
+ * @param maximumLevel number of levels after which the game is over
+ * @param levelTimeLimit steps in a level
+ * @param fatalTimeLimit whether reaching the limit is left to the controller, which ends the game; otherwise the next level
+ *     starts
+ * @param creditForRemainingPills whether half the points of what is left are given at the end of a level
+ */
+public record LevelRules(
+        int lives,
+        boolean extraLife,
+        int maximumLevel,
+        int levelTimeLimit,
+        boolean fatalTimeLimit,
+        boolean creditForRemainingPills) {
+
+    /** MM-NEAT's defaults: one life and four levels without a time limit of consequence. */
+    static final LevelRules MM_NEAT = new LevelRules(1, false, 4, 1000000, true, false);
+
+    /** @throws IllegalArgumentException if a value is out of its range */
+    public LevelRules {
+        GameRules.requireRange("lives", lives, 1, Integer.MAX_VALUE);
+        GameRules.requireRange("maximumLevel", maximumLevel, 1, Integer.MAX_VALUE);
+        GameRules.requireRange("levelTimeLimit", levelTimeLimit, 1, Integer.MAX_VALUE);
+    }
+
+    public LevelRules withLives(int value) {
+        return new LevelRules(value, extraLife, maximumLevel, levelTimeLimit, fatalTimeLimit, creditForRemainingPills);
+    }
+
+    public LevelRules withExtraLife(boolean value) {
+        return new LevelRules(lives, value, maximumLevel, levelTimeLimit, fatalTimeLimit, creditForRemainingPills);
+    }
+
+    public LevelRules withMaximumLevel(int value) {
+        return new LevelRules(lives, extraLife, value, levelTimeLimit, fatalTimeLimit, creditForRemainingPills);
+    }
+
+    public LevelRules withLevelTimeLimit(int value) {
+        return new LevelRules(lives, extraLife, maximumLevel, value, fatalTimeLimit, creditForRemainingPills);
+    }
+
+    public LevelRules withFatalTimeLimit(boolean value) {
+        return new LevelRules(lives, extraLife, maximumLevel, levelTimeLimit, value, creditForRemainingPills);
+    }
+
+    public LevelRules withCreditForRemainingPills(boolean value) {
+        return new LevelRules(lives, extraLife, maximumLevel, levelTimeLimit, fatalTimeLimit, value);
+    }
+}

@@ -1,0 +1,43 @@
+package pacman.game;
+
+/**
+ * The pills of a game and what eating a power pill can cost. Immutable.
+ *
+ * <p>Source: docs/specification/simulator.md, sections 2 and 7.
+ *
+ * @param preEatenPillPortion portion of pills that are missing from the start of a level, in [0, 1]
+ * @param closeGhostDistance path distance beyond which all threats count as far when a power pill is eaten
+ * @param powerPillPunishmentRate probability in [0, 1] that the game ends when a ghost's edible time runs out
+ * @param dieOnImproperPowerPillEating whether eating a power pill ends the game unless all active ghosts are threats
+ */
+public record PillRules(
+        double preEatenPillPortion,
+        int closeGhostDistance,
+        double powerPillPunishmentRate,
+        boolean dieOnImproperPowerPillEating) {
+
+    /** MM-NEAT's defaults: all pills, and no punishment. */
+    static final PillRules MM_NEAT = new PillRules(0, 35, 0, false);
+
+    /** @throws IllegalArgumentException if a value is out of its range */
+    public PillRules {
+        GameRules.requireProbability("preEatenPillPortion", preEatenPillPortion);
+        GameRules.requireProbability("powerPillPunishmentRate", powerPillPunishmentRate);
+    }
+
+    public PillRules withPreEatenPillPortion(double value) {
+        return new PillRules(value, closeGhostDistance, powerPillPunishmentRate, dieOnImproperPowerPillEating);
+    }
+
+    public PillRules withCloseGhostDistance(int value) {
+        return new PillRules(preEatenPillPortion, value, powerPillPunishmentRate, dieOnImproperPowerPillEating);
+    }
+
+    public PillRules withPowerPillPunishmentRate(double value) {
+        return new PillRules(preEatenPillPortion, closeGhostDistance, value, dieOnImproperPowerPillEating);
+    }
+
+    public PillRules withDieOnImproperPowerPillEating(boolean value) {
+        return new PillRules(preEatenPillPortion, closeGhostDistance, powerPillPunishmentRate, value);
+    }
+}
