@@ -38,7 +38,12 @@ final class ArgumentSyntax implements IParameterPreprocessor {
         while (!stack.isEmpty()) {
             words.add(stack.pop());
         }
-        List<String> prepared = prepare(words, command);
+        List<String> prepared;
+        try {
+            prepared = prepare(words, command);
+        } catch (UserError e) {
+            throw new ParameterException(command.commandLine(), e.getMessage(), e);
+        }
         for (int i = prepared.size() - 1; i >= 0; i--) {
             stack.push(prepared.get(i));
         }

@@ -1,6 +1,8 @@
 package mmneat.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -10,6 +12,8 @@ import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.statistics.ComparisonCsv;
 import mmneat.analysis.statistics.ComparisonReport;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Compares the champions of several experiments with the paper's statistics. */
 @Command(
@@ -24,37 +28,59 @@ import picocli.CommandLine.Command;
             "Example: mmneat compare results/blended/1M results/blended/2M csv=pairs.csv latex=pairs.tex",
             "",
         })
-final class CompareCommand extends WordCommand implements Runnable {
+final class CompareCommand extends ConsoleCommand implements Runnable {
 
-    @Override
-    List<Word> knownWords() {
-        return List.of(
-                new Word(
-                        "scores",
-                        "auto|evaluation|training",
-                        "champions' scores from their evaluation after evolution, or from the last generation"
-                                + " (default auto: the evaluations if all are there)"),
-                new Word("paper", "true", "puts the paper's champions beside ours (default false)"),
-                new Word("csv", "FILE", "writes every test in full precision"),
-                new Word("latex", "FILE", "writes the tables for LaTeX"));
+    private static final class Sources extends ArrayList<String> {
+        Sources() {
+            super(List.of("auto", "evaluation", "training"));
+        }
     }
+
+    @Parameters(
+            arity = "0..*",
+            paramLabel = "EXPERIMENT",
+            description = "Folder of runs, or the beginning of such folders' names.")
+    private List<Path> paths;
+
+    @Option(
+            names = "scores",
+            paramLabel = "SOURCE",
+            defaultValue = "auto",
+            completionCandidates = Sources.class,
+            description =
+                    "Scores of the champions: evaluation (games after evolution), training (the last generation), or"
+                            + " auto: the evaluations if all champions have one (default: ${DEFAULT-VALUE}).")
+    private String scores;
+
+    @Option(
+            names = "paper",
+            paramLabel = "true|false",
+            arity = "1",
+            defaultValue = "false",
+            description = "Adds the paper's champions (default: ${DEFAULT-VALUE}).")
+    private boolean paper;
+
+    @Option(names = "csv", paramLabel = "FILE", description = "Writes every test in full precision.")
+    private Path csv;
+
+    @Option(names = "latex", paramLabel = "FILE", description = "Writes the tables for LaTeX.")
+    private Path latex;
 
     @Override
     public void run() {
-        Words words = wordsAboutExperiments();
-        List<Experiment> experiments = ExperimentFinder.find(experimentPaths(words));
-        String scores = words.choice("scores", "auto", List.of("auto", "evaluation", "training"));
+        List<Experiment> experiments = ExperimentFinder.find(requireExperiments(paths));
         List<ExperimentComparison> comparisons = ExperimentComparison.ofEachVersion(
-                experiments,
-                ExperimentComparison.Scores.valueOf(scores.toUpperCase(Locale.ROOT)),
-                words.flag("paper", false));
+                experiments, ExperimentComparison.Scores.valueOf(scores.toUpperCase(Locale.ROOT)), paper);
         comparisons.forEach(comparison -> print(comparison, comparisons.size() > 1));
         List<ComparisonReport> reports =
                 comparisons.stream().map(ExperimentComparison::report).toList();
-        words.path("csv").ifPresent(file -> OutputFile.write(file, ComparisonCsv.of(reports)));
-        words.path("latex")
-                .ifPresent(file -> OutputFile.write(
-                        file, reports.stream().map(ComparisonReport::latex).collect(Collectors.joining("\n"))));
+        if (csv != null) {
+            OutputFile.write(csv, ComparisonCsv.of(reports));
+        }
+        if (latex != null) {
+            OutputFile.write(
+                    latex, reports.stream().map(ComparisonReport::latex).collect(Collectors.joining("\n")));
+        }
     }
 
     private void print(ExperimentComparison comparison, boolean ofSeveral) {

@@ -25,6 +25,9 @@ import mmneat.analysis.statistics.TextTable;
 import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.UserError;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Lets champions play many games after evolution. */
 @Command(
@@ -41,51 +44,77 @@ import picocli.CommandLine.Command;
             "Example: mmneat evaluate champion=blended games=100",
             "",
         })
-final class EvaluateCommand extends WordCommand implements Runnable {
+final class EvaluateCommand extends ConsoleCommand implements Runnable {
 
     private static final int PROGRESS_SECONDS = 5;
 
-    @Override
-    List<Word> knownWords() {
-        return List.of(
-                ChosenChampion.WORD,
-                new Word(
-                        "games",
-                        "1000",
-                        "games per champion (default 1000); where more were played already, all of them count"),
-                ChampionWords.RULES,
-                new Word(
-                        "seed",
-                        "0",
-                        "seed of the games' seeds (default 0); games with another seed replace those that are there"),
-                new Word("threads", "2", "games played at the same time (default: all cores)"),
-                new Word(
-                        "report",
-                        "true",
-                        "writes the original's eval report instead, one champion after the other and game after game, drawn"
-                                + " as the original draws from the run's seed (default false)"),
-                ChampionWords.TASK,
-                ChampionWords.GHOSTS);
-    }
+    @Parameters(
+            arity = "0..*",
+            paramLabel = "EXPERIMENT|FILE",
+            description = "Folder of runs, the beginning of such folders' names, or file of a network.")
+    private List<Path> paths;
+
+    @Mixin
+    private ChampionChoice choice;
+
+    @Option(
+            names = "games",
+            paramLabel = "N",
+            defaultValue = "1000",
+            description = "Games per champion; a champion that has played more keeps all of them"
+                    + " (default: ${DEFAULT-VALUE}).")
+    @Range(min = 1, max = 1_000_000)
+    private int games;
+
+    @Mixin
+    private RulesOption rulesOption;
+
+    @Option(
+            names = "seed",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "Seed of the games' seeds; another seed than before replaces the games that are there"
+                    + " (default: ${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Option(
+            names = "threads",
+            paramLabel = "N",
+            description = "Games played at the same time (default: the number of cores).")
+    @Range(min = 1, max = 4096)
+    private Integer threads;
+
+    @Option(
+            names = "report",
+            paramLabel = "true|false",
+            arity = "1",
+            defaultValue = "false",
+            description =
+                    "Writes the original's evaluation report instead: one champion after the other, game after game,"
+                            + " with random numbers drawn from the run's seed as in the original (default: ${DEFAULT-VALUE}).")
+    private boolean report;
+
+    @Mixin
+    private TaskOption task;
+
+    @Mixin
+    private GhostsOption ghosts;
 
     @Override
     public void run() {
-        Words words = wordsAboutExperiments();
-        Rules rules = ChampionWords.rules(words);
-        int games = words.integer("games", 1000, 1, 1_000_000);
-        List<ChampionEvaluator.Entry> entries = champions(words).stream()
-                .map(champion -> new ChampionEvaluator.Entry(champion, ChampionWords.settings(words, champion, rules)))
+        Rules rules = rulesOption.rules();
+        List<ChampionEvaluator.Entry> entries = champions().stream()
+                .map(champion -> new ChampionEvaluator.Entry(champion, ghosts.settings(champion, task, rules)))
                 .toList();
-        if (words.flag("report", false)) {
+        if (report) {
             for (String name : List.of("seed", "threads")) {
-                words.requireEffect(
+                requireEffect(
                         name, false, "the games of report=true are drawn one after the other from the run's seed");
             }
-            report(entries, games);
+            report(entries);
             return;
         }
-        int threads = words.integer("threads", Runtime.getRuntime().availableProcessors(), 1, 4096);
-        long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
+        int threads = this.threads == null ? Runtime.getRuntime().availableProcessors() : this.threads;
         try (ChampionEvaluator evaluator = new ChampionEvaluator(rules, games, seed, threads)) {
             ScheduledExecutorService progress = progress(evaluator, (long) games * entries.size());
             List<ChampionEvaluation> evaluations = evaluator.evaluate(entries);
@@ -97,14 +126,14 @@ final class EvaluateCommand extends WordCommand implements Runnable {
         }
     }
 
-    /** The champions of all runs that the plain words lead to, or the networks that they name, or the shipped one. */
-    private List<Champion> champions(Words words) {
+    /** The champions of all runs in the folders, the networks in the files, or the shipped champion. */
+    private List<Champion> champions() {
         List<Champion> champions = new ArrayList<>();
-        if (words.has(ChosenChampion.WORD.name())) {
-            champions.add(ChosenChampion.of(words, null));
+        if (choice.isGiven()) {
+            champions.add(choice.read(paths == null ? null : paths.get(0), null));
             return champions;
         }
-        for (Path path : experimentPaths(words)) {
+        for (Path path : requireExperiments(paths)) {
             if (Files.isRegularFile(path)) {
                 champions.add(Champion.read(path));
             } else {
@@ -120,7 +149,7 @@ final class EvaluateCommand extends WordCommand implements Runnable {
         return List.copyOf(byFile.values());
     }
 
-    private void report(List<ChampionEvaluator.Entry> entries, int games) {
+    private void report(List<ChampionEvaluator.Entry> entries) {
         for (ChampionEvaluator.Entry entry : entries) {
             Path file = EvaluationReport.write(entry.champion(), entry.settings(), games);
             out().println(file);

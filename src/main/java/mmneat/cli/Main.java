@@ -18,10 +18,7 @@ import mmneat.experiment.UserError;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
-import picocli.CommandLine.Help;
-import picocli.CommandLine.IHelpSectionRenderer;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParseResult;
@@ -59,7 +56,10 @@ public final class Main implements Callable<Integer> {
     @Spec
     private CommandSpec command;
 
-    @Parameters(arity = "0..*", paramLabel = "NAME=VALUE", description = "What to evolve, and how; see params.")
+    @Parameters(
+            arity = "0..*",
+            paramLabel = ArgumentSyntax.PARAMETER,
+            description = "What to evolve, and how; see params.")
     private List<String> words = new ArrayList<>();
 
     public static void main(String[] arguments) {
@@ -81,21 +81,30 @@ public final class Main implements Callable<Integer> {
     /** The whole command line; tests set its output and error writers. */
     static CommandLine commandLine() {
         CommandLine main = new CommandLine(new Main());
-        main.setExecutionExceptionHandler((failure, line, parsed) -> report(failure, line));
-        main.setParameterExceptionHandler((mistake, arguments) -> report(mistake));
-        main.setExecutionStrategy(Main::checkAndRun);
-        OptionValues.register(main);
-        main.setUnmatchedOptionsArePositionalParams(true);
-        main.setPosixClusteredShortOptionsAllowed(false);
-        main.setExpandAtFiles(false);
         for (CommandLine each : main.getSubcommands().values()) {
-            if (each.getCommand() instanceof ConsoleCommand) {
-                each.getCommandSpec().preprocessor(new ArgumentSyntax());
-            }
+            configure(each);
         }
-        listWords(main);
-        main.getSubcommands().values().forEach(Main::listWords);
-        return main;
+        return common(main);
+    }
+
+    /** Sets how a command reads its options, and what becomes of errors. */
+    static CommandLine configure(CommandLine line) {
+        line.getCommandSpec().preprocessor(new ArgumentSyntax());
+        line.getCommandSpec().versionProvider(new Version());
+        return common(line);
+    }
+
+    private static CommandLine common(CommandLine line) {
+        OptionValues.register(line);
+        // Unknown options are refused by ArgumentSyntax; picocli would guess by the letters that words have in common.
+        line.setUnmatchedOptionsArePositionalParams(true);
+        line.setAllowOptionsAsOptionParameters(true);
+        line.setPosixClusteredShortOptionsAllowed(false);
+        line.setExpandAtFiles(false);
+        line.setExecutionStrategy(Main::checkAndRun);
+        line.setExecutionExceptionHandler((failure, command, parsed) -> report(failure, command));
+        line.setParameterExceptionHandler((mistake, arguments) -> report(mistake));
+        return line;
     }
 
     private static int checkAndRun(ParseResult parsed) {
@@ -125,6 +134,9 @@ public final class Main implements Callable<Integer> {
     /** A first word without "=" or ":" was meant to be a command. */
     private void requireParameters(CommandLine line) {
         String first = words.get(0);
+        if (first.startsWith("-")) {
+            throw new ParameterException(line, "unknown option '" + first + "'");
+        }
         if (first.indexOf('=') < 0 && first.indexOf(':') < 0) {
             throw new UserError("'" + first + "' is no command"
                     + NearestName.suggestion(first, line.getSubcommands().keySet())
@@ -170,32 +182,6 @@ public final class Main implements Callable<Integer> {
         line.getErr().println("mmneat: " + message);
         line.getErr().flush();
         return ExitCode.USAGE;
-    }
-
-    /** Puts the name=value words of a command into its help, above the options. */
-    private static void listWords(CommandLine line) {
-        if (line.getCommand() instanceof WordCommand command) {
-            IHelpSectionRenderer words = help -> table(help, command.knownWords());
-            line.getHelpSectionMap().merge(UsageMessageSpec.SECTION_KEY_PARAMETER_LIST, words, Main::both);
-        }
-    }
-
-    private static IHelpSectionRenderer both(IHelpSectionRenderer first, IHelpSectionRenderer second) {
-        return help -> first.render(help) + second.render(help);
-    }
-
-    private static String table(Help help, List<Word> words) {
-        int left = words.stream()
-                        .mapToInt(word -> word.name().length() + word.value().length())
-                        .max()
-                        .orElse(0)
-                + 5;
-        Help.TextTable table = Help.TextTable.forColumns(
-                help.colorScheme(),
-                new Help.Column(left, 2, Help.Column.Overflow.SPAN),
-                new Help.Column(Math.max(40, 100 - left), 2, Help.Column.Overflow.WRAP));
-        words.forEach(word -> table.addRowValues(word.name() + "=" + word.value(), word.meaning()));
-        return table.toString();
     }
 
     /** The version that the build wrote into the jar. */

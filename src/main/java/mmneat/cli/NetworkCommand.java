@@ -1,10 +1,10 @@
 package mmneat.cli;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Stream;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.ChampionLabels;
 import mmneat.experiment.UserError;
@@ -17,6 +17,9 @@ import mmneat.neat.io.NetworkGraphml;
 import mmneat.neat.io.NetworkLabels;
 import mmneat.neat.io.NetworkSvg;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** {@code network FILE}: draws a saved network, or writes it in another form. */
 @Command(
@@ -30,56 +33,71 @@ import picocli.CommandLine.Command;
             "Example: mmneat network champion=isolated out=network.svg",
             "",
         })
-final class NetworkCommand extends WordCommand implements Runnable {
+final class NetworkCommand extends ConsoleCommand implements Runnable {
 
-    private static final List<String> FORMATS = List.of("svg", "dot", "graphml", "json", "xml");
+    private static final class Formats extends ArrayList<String> {
+        Formats() {
+            super(List.of("svg", "dot", "graphml", "json", "xml"));
+        }
+    }
+
     /** The formats that name inputs. */
     private static final List<String> LABELLED = List.of("svg", "dot", "graphml");
 
     private static final String NO_TASK = "none";
-    private static final List<String> TASKS = Stream.concat(
-                    PublishedConfigurations.tasks().stream(), Stream.of(NO_TASK))
-            .toList();
 
-    @Override
-    List<Word> knownWords() {
-        return List.of(
-                ChosenChampion.WORD,
-                new Word(
-                        "task",
-                        String.join("|", TASKS),
-                        "version of the task whose sensors name the inputs; none: they are numbered (default: the task of its"
-                                + " run, or what the number of inputs says)"),
-                new Word(
-                        "format",
-                        "svg|dot|graphml|json|xml",
-                        "picture, graph for Graphviz, graph for other programs, our form, the original's form;"
-                                + " default: by the ending of out; without out, svg"),
-                new Word("out", "FILE", "where to write; default: standard output"));
+    private static final class Tasks extends ArrayList<String> {
+        Tasks() {
+            super(PublishedConfigurations.tasks());
+            add(NO_TASK);
+        }
     }
+
+    @Parameters(arity = "0..1", paramLabel = "FILE", description = "Folder of a run, or file of a network.")
+    private Path file;
+
+    @Mixin
+    private ChampionChoice choice;
+
+    @Option(
+            names = "task",
+            paramLabel = "TASK",
+            completionCandidates = Tasks.class,
+            description =
+                    "Version of the task whose sensors name the inputs: ${COMPLETION-CANDIDATES}; with none they are"
+                            + " numbered (default: that of the run, or the one that the number of inputs fits).")
+    private String task;
+
+    @Option(
+            names = "format",
+            paramLabel = "FORMAT",
+            completionCandidates = Formats.class,
+            description =
+                    "svg: a picture; dot: a graph for Graphviz; graphml: a graph for other programs; json: our form;"
+                            + " xml: the original's form (default: by the ending of out=; without out=, svg).")
+    private String format;
+
+    @Option(names = "out", paramLabel = "FILE", description = "File to write (default: standard output).")
+    private Path out;
 
     @Override
     public void run() {
-        Words parsed = words(1);
-        Champion champion = ChosenChampion.of(parsed, null);
-        Optional<Path> out = parsed.path("out");
-        String format =
-                parsed.has("format") || out.isEmpty() ? parsed.choice("format", "svg", FORMATS) : formatOf(out.get());
-        String text = convert(champion.genotype(), format, labels(parsed, champion, format));
-        if (out.isPresent()) {
-            OutputFile.write(out.get(), text);
+        Champion champion = choice.read(file, null);
+        String form = format != null ? format : out == null ? "svg" : formatOf(out);
+        String text = convert(champion.genotype(), form, labels(champion, form));
+        if (out != null) {
+            OutputFile.write(out, text);
         } else {
             out().print(text);
             out().flush();
         }
     }
 
-    private NetworkLabels labels(Words words, Champion champion, String format) {
-        String task = words.choice("task", "", TASKS);
-        if (task.equals(NO_TASK) || !LABELLED.contains(format)) {
+    private NetworkLabels labels(Champion champion, String format) {
+        if (NO_TASK.equals(task) || !LABELLED.contains(format)) {
             return NetworkLabels.NUMBERS;
         }
-        ChampionLabels labels = ChampionLabels.of(champion, task.isEmpty() ? Optional.empty() : Optional.of(task));
+        ChampionLabels labels = ChampionLabels.of(champion, Optional.ofNullable(task));
         if (!labels.remark().isEmpty()) {
             notes().println("network: " + labels.remark());
             notes().flush();
@@ -90,9 +108,10 @@ final class NetworkCommand extends WordCommand implements Runnable {
     private static String formatOf(Path out) {
         String name = String.valueOf(out.getFileName());
         String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
-        if (!FORMATS.contains(ending)) {
+        List<String> formats = new Formats();
+        if (!formats.contains(ending)) {
             throw new UserError("out=" + out + ": the ending tells no format; name the file *."
-                    + String.join(", *.", FORMATS) + " or say format=");
+                    + String.join(", *.", formats) + " or say format=");
         }
         return ending;
     }

@@ -6,19 +6,13 @@ import mmneat.experiment.parameters.Parameter;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Lists the parameters, or tells everything about one. */
 @Command(
         name = "params",
-        mixinStandardHelpOptions = true,
         description = "Lists all parameters with type, default and meaning; with a name, the details of one.")
-final class ParamsCommand implements Callable<Integer> {
-
-    @Spec
-    private CommandSpec command;
+final class ParamsCommand extends ConsoleCommand implements Callable<Integer> {
 
     @Parameters(arity = "0..1", paramLabel = "NAME", description = "A parameter; 'all' lists the unsupported ones too.")
     private String name = "";
@@ -26,7 +20,7 @@ final class ParamsCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         ParameterCatalogue catalogue = ParameterCatalogue.load();
-        PrintWriter out = command.commandLine().getOut();
+        PrintWriter out = out();
         if (name.isEmpty() || name.equals("all")) {
             list(out, catalogue);
         } else {

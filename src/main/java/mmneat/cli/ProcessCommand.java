@@ -12,15 +12,11 @@ import mmneat.experiment.parameters.Tasks;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunPlan;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Summarises runs as the original's mode of that name does: for those who have scripts for its files. */
 @Command(
         name = "process",
-        mixinStandardHelpOptions = true,
-        sortOptions = false,
         customSynopsis = "mmneat process NAME=VALUE...",
         description = {
             "Writes the summaries over runs that the original writes, beside the folders of the runs: hypervolumes, logs"
@@ -30,12 +26,12 @@ import picocli.CommandLine.Spec;
             "Example: mmneat process task=blended method=2M runs=30",
             "",
         })
-final class ProcessCommand implements Runnable {
+final class ProcessCommand extends ConsoleCommand implements Runnable {
 
-    @Spec
-    private CommandSpec command;
-
-    @Parameters(arity = "0..*", paramLabel = "NAME=VALUE", description = "What was evolved, and how; see params.")
+    @Parameters(
+            arity = "0..*",
+            paramLabel = ArgumentSyntax.PARAMETER,
+            description = "The parameters of the experiment; see params.")
     private List<String> words = new ArrayList<>();
 
     @Override
@@ -58,7 +54,7 @@ final class ProcessCommand implements Runnable {
                         plan.name(),
                         Tasks.factory(plan.parameters()).get())
                 .write(begun);
-        PrintWriter out = command.commandLine().getOut();
+        PrintWriter out = out();
         out.println(begun.size() + " of " + plan.runs().size() + " runs summarised in "
                 + plan.base().resolve(plan.name() + "AVG_parents_log.txt") + " and beside it");
         out.flush();

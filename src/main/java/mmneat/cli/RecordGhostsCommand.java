@@ -2,16 +2,21 @@ package mmneat.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.recording.GhostLocationRecorder;
 import mmneat.experiment.UserError;
-import mmneat.experiment.parameters.PublishedConfigurations;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Records where the ghosts are when a champion eats power pills, for the isolated task. */
 @Command(
@@ -28,52 +33,81 @@ import picocli.CommandLine.Command;
             "Example: mmneat record-ghosts results/blended/2M0 out=ghost-locations.txt seed=1",
             "",
         })
-final class RecordGhostsCommand extends WordCommand implements Runnable {
+final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
 
-    private static final String DEFAULT_OUT = "ghost-locations.txt";
-    private static final int NEEDED = 100;
-    private static final int MOST_GAMES = 20_000;
     private static final int PROGRESS_SECONDS = 5;
     private static final String WHERE_MISSING = "missing";
-    private static final List<String> STARTS = List.of(WHERE_MISSING, "a", "b", "c", "d");
+    private static final List<String> MAZES = List.of("a", "b", "c", "d");
 
-    @Override
-    List<Word> knownWords() {
-        return List.of(
-                ChosenChampion.WORD,
-                new Word("out", "FILE", "the file to write (default " + DEFAULT_OUT + ")"),
-                new Word("seed", "0", "seed of all games (default 0)"),
-                new Word("situations", "100", "lines for each power pill (default and need of the isolated task: 100)"),
-                new Word("games", "20000", "gives up after so many games (default " + MOST_GAMES + ")"),
-                new Word(
-                        "start",
-                        String.join("|", STARTS),
-                        "the maze in which games start; " + WHERE_MISSING
-                                + ": each where the scarcest power pill is (default); a: as in the original"),
-                new Word(
-                        "task",
-                        String.join("|", PublishedConfigurations.tasks()),
-                        "version of the games (default: that of the run, or what the network's inputs say)"));
+    private static final class Starts extends ArrayList<String> {
+        Starts() {
+            add(WHERE_MISSING);
+            addAll(MAZES);
+        }
     }
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "FILE",
+            description = "Folder of a run, or file of a network (default: champion=blended).")
+    private Path file;
+
+    @Mixin
+    private ChampionChoice choice;
+
+    @Option(
+            names = "out",
+            paramLabel = "FILE",
+            defaultValue = "ghost-locations.txt",
+            description = "The file to write (default: ${DEFAULT-VALUE}).")
+    private Path out;
+
+    @Option(
+            names = "seed",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "Seed of all games (default: ${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Option(
+            names = "situations",
+            paramLabel = "N",
+            defaultValue = "100",
+            description = "Lines for each power pill; the isolated task needs 100 (default: ${DEFAULT-VALUE}).")
+    @Range(min = 1, max = 1_000_000)
+    private int situations;
+
+    @Option(
+            names = "games",
+            paramLabel = "N",
+            defaultValue = "20000",
+            description = "Gives up after this number of games (default: ${DEFAULT-VALUE}).")
+    @Range(min = 1)
+    private int games;
+
+    @Option(
+            names = "start",
+            paramLabel = "MAZE",
+            defaultValue = WHERE_MISSING,
+            completionCandidates = Starts.class,
+            description = "Maze in which games start: a, b, c, d (a: as in the original), or " + WHERE_MISSING
+                    + ": the maze of the power pill with the fewest lines so far (default: ${DEFAULT-VALUE}).")
+    private String start;
+
+    @Mixin
+    private TaskOption task;
 
     @Override
     public void run() {
-        Words words = words(1);
-        Champion champion = ChosenChampion.of(words, "blended");
-        Path out = words.path("out").orElse(Path.of(DEFAULT_OUT));
+        Champion champion = choice.read(file, "blended");
         OutputFile.require("out", out);
-        MsPacManTaskSettings settings = ChampionWords.settings(words, champion, Rules.TRAINING);
+        MsPacManTaskSettings settings = PlayerSettings.of(champion, task.version(), Rules.TRAINING, Optional.empty());
         if (settings.version() == TaskVersion.ISOLATED) {
             throw new UserError("the games of the isolated version have no power pills to be eaten; record with"
                     + " task=blended or task=interleaved, or another champion");
         }
-        GhostLocationRecorder recorder = new GhostLocationRecorder(
-                settings,
-                champion.genotype(),
-                words.integer("situations", NEEDED, 1, 1_000_000),
-                words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE));
-        String start = words.choice("start", WHERE_MISSING, STARTS);
-        play(recorder, start, words.integer("games", MOST_GAMES, 1, Integer.MAX_VALUE));
+        GhostLocationRecorder recorder = new GhostLocationRecorder(settings, champion.genotype(), situations, seed);
+        play(recorder);
         if (!recorder.isComplete()) {
             Path part = Path.of(out + ".incomplete");
             OutputFile.write(part, recorder.text());
@@ -88,13 +122,13 @@ final class RecordGhostsCommand extends WordCommand implements Runnable {
         lines.flush();
     }
 
-    private void play(GhostLocationRecorder recorder, String start, int games) {
+    private void play(GhostLocationRecorder recorder) {
         PrintWriter notes = notes();
         long interval = TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
         long nextProgress = System.nanoTime() + interval;
         while (!recorder.isComplete() && recorder.games() < games) {
             boolean whereMissing = start.equals(WHERE_MISSING);
-            recorder.playGame(whereMissing ? recorder.scarcestMaze() : STARTS.indexOf(start) - 1);
+            recorder.playGame(whereMissing ? recorder.scarcestMaze() : MAZES.indexOf(start));
             if (System.nanoTime() > nextProgress) {
                 nextProgress += interval;
                 notes.println("record-ghosts: " + recorder.games() + " games, " + recorder.recorded() + " of "

@@ -3,6 +3,7 @@ package mmneat.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +27,9 @@ import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import pacman.game.MachineFonts;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Writes one page about a set of experiments, with its figures and replays. */
 @Command(
@@ -39,46 +43,69 @@ import picocli.CommandLine.Command;
             "Example: mmneat report results/blended results/isolated figures=pictures replays=best",
             "",
         })
-final class ReportCommand extends WordCommand implements Runnable {
+final class ReportCommand extends ConsoleCommand implements Runnable {
 
-    @Override
-    List<Word> knownWords() {
-        return List.of(
-                new Word("out", "FILE", "the page to write (default report.html)"),
-                new Word("title", "TEXT", "its heading (default: the experiments)"),
-                new Word("figures", "FOLDER", "also writes the figures there, as SVG and PNG"),
-                new Word(
-                        "replays",
-                        "all|best|none",
-                        "writes a replay of every champion, of the best of each experiment, or of none, into a folder beside"
-                                + " the page (default all)"),
-                new Word("task", "blended", "version of the task, where the runs do not say it themselves"),
-                new Word("ghosts", "FILE", "recorded ghost locations, for replays of the isolated version"));
+    private static final class Replays extends ArrayList<String> {
+        Replays() {
+            super(List.of("all", "best", "none"));
+        }
     }
+
+    @Parameters(
+            arity = "0..*",
+            paramLabel = "EXPERIMENT",
+            description = "Folder of runs, or the beginning of such folders' names.")
+    private List<Path> paths;
+
+    @Option(
+            names = "out",
+            paramLabel = "FILE",
+            defaultValue = "report.html",
+            description = "The page to write (default: ${DEFAULT-VALUE}).")
+    private Path out;
+
+    @Option(names = "title", paramLabel = "TEXT", description = "Heading of the page (default: the experiments).")
+    private String title;
+
+    @Option(names = "figures", paramLabel = "FOLDER", description = "Also writes the figures there, as SVG and PNG.")
+    private Path figuresFolder;
+
+    @Option(
+            names = "replays",
+            paramLabel = "WHICH",
+            defaultValue = "all",
+            completionCandidates = Replays.class,
+            description = "Writes a replay of every champion (all), of the best of each experiment (best) or of none"
+                    + " (none), into a folder beside the page (default: ${DEFAULT-VALUE}).")
+    private String replays;
+
+    @Mixin
+    private TaskOption task;
+
+    @Mixin
+    private GhostsOption ghosts;
 
     @Override
     public void run() {
-        Words words = wordsAboutExperiments();
-        List<Experiment> experiments = ExperimentFinder.find(experimentPaths(words));
+        List<Experiment> experiments = ExperimentFinder.find(requireExperiments(paths));
         boolean published = experiments.stream().anyMatch(ReportCommand::isPublished);
         ExperimentReport report = new ExperimentReport(
                 experiments,
                 ExperimentComparison.ofEachVersion(experiments, ExperimentComparison.Scores.AUTO, published));
-        Path out = words.path("out").orElse(Path.of("report.html"));
         List<Figure> figures = report.figures();
-        words.path("figures").ifPresent(folder -> {
+        if (figuresFolder != null) {
             for (Figure figure : figures) {
-                OutputFile.write(folder.resolve(figure.name() + ".svg"), figure.svg());
-                figure.png().ifPresent(png -> OutputFile.write(folder.resolve(figure.name() + ".png"), png));
+                OutputFile.write(figuresFolder.resolve(figure.name() + ".svg"), figure.svg());
+                figure.png().ifPresent(png -> OutputFile.write(figuresFolder.resolve(figure.name() + ".png"), png));
             }
-        });
-        Map<Path, String> links = replays(words, experiments, out);
-        String title = words.text("title", title(experiments));
-        OutputFile.write(out, report.html(title, figures, (experiment, run) -> links.get(run.folder())));
+        }
+        Map<Path, String> links = replays(experiments);
+        String heading = title == null ? title(experiments) : title;
+        OutputFile.write(out, report.html(heading, figures, (experiment, run) -> links.get(run.folder())));
         PrintWriter messages = out();
         messages.println(out + ": open it in a browser");
-        if (words.has("figures") && !MachineFonts.areAvailable()) {
-            messages.println(words.text("figures", "") + ": SVG only, no PNG: " + MachineFonts.MISSING);
+        if (figuresFolder != null && !MachineFonts.areAvailable()) {
+            messages.println(figuresFolder + ": SVG only, no PNG: " + MachineFonts.MISSING);
         }
         messages.flush();
     }
@@ -98,20 +125,18 @@ final class ReportCommand extends WordCommand implements Runnable {
     }
 
     /** Writes the replays and gives the link to each, by the run's folder. */
-    private Map<Path, String> replays(Words words, List<Experiment> experiments, Path out) {
-        String which = words.choice("replays", "all", List.of("all", "best", "none"));
+    private Map<Path, String> replays(List<Experiment> experiments) {
         String folder = out.getFileName().toString().replaceFirst("\\.html?$", "") + "-replays";
         Map<Path, String> links = new HashMap<>();
         for (Experiment experiment : experiments) {
             List<RunResult> runs =
-                    switch (which) {
+                    switch (replays) {
                         case "all" -> experiment.runs();
                         case "best" -> List.of(experiment.best());
                         default -> List.of();
                     };
             for (RunResult run : runs) {
-                Optional<String> replay =
-                        Champion.isIn(run.folder()) ? replay(words, experiment, run) : Optional.empty();
+                Optional<String> replay = Champion.isIn(run.folder()) ? replay(experiment, run) : Optional.empty();
                 if (replay.isPresent()) {
                     String name = (experiment.label() + "-" + run.number()).replaceAll("[^A-Za-z0-9]+", "-") + ".html";
                     OutputFile.write(out.resolveSibling(folder).resolve(name), replay.get());
@@ -126,9 +151,9 @@ final class ReportCommand extends WordCommand implements Runnable {
      * A typical game: that of median score in the champion's evaluation, or else game 0; none if the champion was evolved for
      * another task.
      */
-    private static Optional<String> replay(Words words, Experiment experiment, RunResult run) {
+    private Optional<String> replay(Experiment experiment, RunResult run) {
         Champion champion = Champion.read(run.folder());
-        return ChampionWords.findSettings(words, champion, Rules.TRAINING)
+        return ghosts.findSettings(champion, task, Rules.TRAINING)
                 .map(settings -> replay(champion, settings, experiment, run));
     }
 

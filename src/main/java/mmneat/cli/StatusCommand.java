@@ -18,27 +18,21 @@ import mmneat.experiment.store.RunStatus;
 import mmneat.experiment.store.RunView;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** How far the runs of experiments are, from their files alone; works while they run, on this machine or elsewhere. */
 @Command(
         name = "status",
-        mixinStandardHelpOptions = true,
         description = {
             "Shows how far experiments are, from their files alone.",
             "Exit code: 0 all runs are finished, 4 some are not yet, 5 some have failed."
         })
-final class StatusCommand implements Callable<Integer> {
+final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
 
     private static final int UNFINISHED = 4;
     private static final int FAILED = 5;
 
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("EEE HH:mm", Locale.ROOT);
-
-    @Spec
-    private CommandSpec command;
 
     @Parameters(
             arity = "0..1",
@@ -57,7 +51,7 @@ final class StatusCommand implements Callable<Integer> {
         if (experiments.isEmpty()) {
             throw new UserError(folder + ": holds no runs");
         }
-        PrintWriter out = command.commandLine().getOut();
+        PrintWriter out = out();
         experiments.forEach(experiment -> print(out, experiment, now));
         out.flush();
         if (experiments.stream().allMatch(ExperimentView::isFinished)) {

@@ -11,7 +11,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.cluster.CommandList;
 import mmneat.experiment.cluster.CondorSubmitFile;
@@ -26,6 +25,8 @@ import mmneat.experiment.run.ExperimentView;
 import mmneat.experiment.run.Study;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Hands the unfinished runs of experiments to a scheduler, one job per run. */
 @Command(
@@ -40,65 +41,117 @@ import picocli.CommandLine.ExitCode;
             "Example: mmneat submit runs=30 task=blended method=all engine=parallel | parallel -j 16",
             "",
         })
-final class SubmitCommand extends WordCommand implements Callable<Integer> {
+final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
 
-    /** The measured peak of a run of mu=100 is well below; see docs/performance.md. */
-    private static final String DEFAULT_MEMORY = "1G";
-
-    private static final String DEFAULT_TIME = "12:00:00";
+    private static final String LOCAL = "local";
 
     /** Options of sbatch that are passed on under their own names. */
     private static final List<String> SLURM_OPTIONS = List.of("partition", "account", "qos", "constraint");
 
-    private static final List<String> ENGINES = List.of("local", "slurm", "htcondor", "kubernetes", "parallel");
-
-    @Override
-    List<Word> knownWords() {
-        return List.of(
-                new Word("engine", String.join("|", ENGINES), "who places the jobs (default local: this machine, now)"),
-                new Word("cpus", "N", "processors per run (default 1: a run uses one unless parallelEvaluations=true)"),
-                new Word("memory", "1G", "memory per run (default " + DEFAULT_MEMORY + ")"),
-                new Word(
-                        "time",
-                        "H:MM:SS",
-                        "longest time of a job; the run then saves and is queued again (default " + DEFAULT_TIME + ")"),
-                new Word("partition", "NAME", "slurm: partition; account=, qos= and constraint= likewise"),
-                new Word("account", "NAME", "slurm: account"),
-                new Word("qos", "NAME", "slurm: quality of service"),
-                new Word("constraint", "TEXT", "slurm: features that the machines must have"),
-                new Word("image", "IMAGE", "kubernetes: container image with Java (default eclipse-temurin:17-jre)"),
-                new Word(
-                        "claim",
-                        "NAME",
-                        "kubernetes: persistent volume claim with the working folder (default mmneat)"),
-                new Word("java", "PROGRAM", "Java of the machines that run the jobs (default java)"),
-                new Word("dryRun", "true", "slurm: writes the scripts and shows what would be submitted"));
+    private static final class Engines extends ArrayList<String> {
+        Engines() {
+            super(List.of(LOCAL, "slurm", "htcondor", "kubernetes", "parallel"));
+        }
     }
+
+    @Parameters(
+            arity = "0..*",
+            paramLabel = ArgumentSyntax.PARAMETER,
+            description = "Parameters of the experiments; see params.")
+    private List<String> parameters = new ArrayList<>();
+
+    @Option(
+            names = "engine",
+            paramLabel = "ENGINE",
+            defaultValue = LOCAL,
+            completionCandidates = Engines.class,
+            description = "Scheduler that places the jobs: ${COMPLETION-CANDIDATES}; local is this machine, now"
+                    + " (default: ${DEFAULT-VALUE}).")
+    private String engine;
+
+    @Option(
+            names = "cpus",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Processors per run; a run uses one unless parallelEvaluations=true"
+                    + " (default: ${DEFAULT-VALUE}).")
+    @Range(min = 1, max = 1024)
+    private int cpus;
+
+    /** The measured peak of a run of mu=100 is well below the default; see docs/performance.md. */
+    @Option(
+            names = "memory",
+            paramLabel = "SIZE",
+            defaultValue = "1G",
+            description = "Memory per run (default: ${DEFAULT-VALUE}).")
+    private String memory;
+
+    @Option(
+            names = "time",
+            paramLabel = "H:MM:SS",
+            defaultValue = "12:00:00",
+            description = "Maximum time of a job; the run then saves and is queued again (default: ${DEFAULT-VALUE}).")
+    private String time;
+
+    @Option(names = "partition", paramLabel = "NAME", description = "Slurm: the partition.")
+    private String partition;
+
+    @Option(names = "account", paramLabel = "NAME", description = "Slurm: the account.")
+    private String account;
+
+    @Option(names = "qos", paramLabel = "NAME", description = "Slurm: the quality of service.")
+    private String qos;
+
+    @Option(names = "constraint", paramLabel = "TEXT", description = "Slurm: features that the machines must have.")
+    private String constraint;
+
+    @Option(
+            names = "image",
+            paramLabel = "IMAGE",
+            defaultValue = "eclipse-temurin:17-jre",
+            description = "Kubernetes: container image with Java (default: ${DEFAULT-VALUE}).")
+    private String image;
+
+    @Option(
+            names = "claim",
+            paramLabel = "NAME",
+            defaultValue = "mmneat",
+            description = "Kubernetes: persistent volume claim of the working folder (default: ${DEFAULT-VALUE}).")
+    private String claim;
+
+    @Option(
+            names = "java",
+            paramLabel = "PROGRAM",
+            description = "Java program of the machines that run the jobs (default: ${DEFAULT-VALUE}).")
+    private String java = "java";
+
+    @Option(
+            names = "dryRun",
+            paramLabel = "true|false",
+            arity = "1",
+            defaultValue = "false",
+            description = "Slurm: writes the scripts and shows what would be submitted (default: ${DEFAULT-VALUE}).")
+    private boolean dryRun;
 
     @Override
     public Integer call() throws Exception {
-        List<String> names = knownWords().stream().map(Word::name).toList();
-        Map<Boolean, List<String>> split = arguments().stream()
-                .collect(Collectors.partitioningBy(word -> names.contains(word.split("[=:]", 2)[0])));
-        Words own = Words.parse(split.get(true), names);
-        String engine = own.choice("engine", "local", ENGINES);
-        requireEffects(own, engine);
-        Study study = Study.of(split.get(false), ParameterCatalogue.load());
+        requireEffects();
+        Study study = Study.of(parameters, ParameterCatalogue.load());
         PrintWriter errors = notes();
         study.remarks().forEach(remark -> errors.println("mmneat: " + remark));
         errors.flush();
-        return engine.equals("local") ? runHere(study) : handOver(study, engine, own);
+        return engine.equals(LOCAL) ? runHere(study) : handOver(study);
     }
 
-    private static void requireEffects(Words own, String engine) {
+    private void requireEffects() {
         for (String name : List.of("cpus", "memory", "time", "java")) {
-            own.requireEffect(name, !engine.equals("local"), "engine=local asks nobody for it");
+            requireEffect(name, !engine.equals(LOCAL), "engine=local does not use it");
         }
         for (String name : List.of("image", "claim")) {
-            own.requireEffect(name, engine.equals("kubernetes"), "it is for engine=kubernetes");
+            requireEffect(name, engine.equals("kubernetes"), "it is for engine=kubernetes");
         }
-        own.requireEffect("dryRun", engine.equals("slurm"), "only engine=slurm submits by itself");
-        SLURM_OPTIONS.forEach(name -> own.requireEffect(name, engine.equals("slurm"), "it is for engine=slurm"));
+        requireEffect("dryRun", engine.equals("slurm"), "only engine=slurm submits by itself");
+        SLURM_OPTIONS.forEach(name -> requireEffect(name, engine.equals("slurm"), "it is for engine=slurm"));
     }
 
     /** The present behaviour of the main job, one experiment after the other. */
@@ -115,12 +168,9 @@ final class SubmitCommand extends WordCommand implements Callable<Integer> {
         return worst;
     }
 
-    private int handOver(Study study, String engine, Words own) throws IOException {
-        JobResources resources = new JobResources(
-                own.integer("cpus", 1, 1, 1024),
-                JobResources.parseMemory(own.text("memory", DEFAULT_MEMORY)),
-                JobResources.parseTime(own.text("time", DEFAULT_TIME)),
-                own.text("java", "java"));
+    private int handOver(Study study) throws IOException {
+        JobResources resources =
+                new JobResources(cpus, JobResources.parseMemory(memory), JobResources.parseTime(time), java);
         PrintWriter out = out();
         Path jar = ownJar();
         List<String> submitted = new ArrayList<>();
@@ -128,7 +178,7 @@ final class SubmitCommand extends WordCommand implements Callable<Integer> {
             List<Integer> runs = part.unfinishedRuns();
             int all = part.plan().runs().size();
             if (runs.isEmpty()) {
-                tell(engine, out, part.plan().name() + ": all " + all + " runs are complete");
+                tell(out, part.plan().name() + ": all " + all + " runs are complete");
                 continue;
             }
             if (all > 1) {
@@ -145,17 +195,16 @@ final class SubmitCommand extends WordCommand implements Callable<Integer> {
                             .filter(word -> !word.matches("(runs?|runNumber)[=:].*"))
                             .toList(),
                     runs);
-            tell(engine, out, job.name() + ": " + runs.size() + " of " + all + " runs to do");
+            tell(out, job.name() + ": " + runs.size() + " of " + all + " runs to do");
             switch (engine) {
-                case "slurm" -> submitted.addAll(slurm(job, resources, own, out));
+                case "slurm" -> submitted.addAll(slurm(job, resources, out));
                 case "htcondor" -> {
                     Path file = write(job.file("condor"), CondorSubmitFile.of(job, resources));
                     out.println("  wrote " + file + "; submit it with: "
                             + ShellWord.line(List.of("condor_submit", file.toString())));
                 }
                 case "kubernetes" -> {
-                    String manifest = KubernetesManifest.of(
-                            job, resources, own.text("image", "eclipse-temurin:17-jre"), own.text("claim", "mmneat"));
+                    String manifest = KubernetesManifest.of(job, resources, image, claim);
                     Path file = write(job.file("yaml"), manifest);
                     out.println("  wrote " + file + "; submit it with: "
                             + ShellWord.line(List.of("kubectl", "apply", "-f", file.toString())));
@@ -173,13 +222,15 @@ final class SubmitCommand extends WordCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private List<String> slurm(ExperimentJob job, JobResources resources, Words own, PrintWriter out)
-            throws IOException {
+    private List<String> slurm(ExperimentJob job, JobResources resources, PrintWriter out) throws IOException {
         Map<String, String> options = new LinkedHashMap<>();
-        SLURM_OPTIONS.forEach(name -> own.text(name).ifPresent(value -> options.put(name, value)));
+        put(options, "partition", partition);
+        put(options, "account", account);
+        put(options, "qos", qos);
+        put(options, "constraint", constraint);
         Path script = write(job.file("slurm"), SlurmScript.of(job, resources, options));
         out.println("  wrote " + script);
-        if (own.flag("dryRun", false)) {
+        if (dryRun) {
             SlurmScript.submitCommands(job, Integer.MAX_VALUE)
                     .forEach(line -> out.println("  would submit: " + ShellWord.line(line)));
             return List.of();
@@ -189,8 +240,14 @@ final class SubmitCommand extends WordCommand implements Callable<Integer> {
         return ids;
     }
 
+    private static void put(Map<String, String> options, String name, String value) {
+        if (value != null) {
+            options.put(name, value);
+        }
+    }
+
     /** Beside a list of commands, which other programs read from standard output, words go to standard error. */
-    private void tell(String engine, PrintWriter out, String line) {
+    private void tell(PrintWriter out, String line) {
         PrintWriter target = engine.equals("parallel") ? notes() : out;
         target.println(line);
         target.flush();

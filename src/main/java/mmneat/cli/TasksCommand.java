@@ -1,6 +1,7 @@
 package mmneat.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -26,6 +27,8 @@ import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
 import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
 /** Measures how the game divides into tasks. */
 @Command(
@@ -40,82 +43,91 @@ import picocli.CommandLine.Command;
             "Example: mmneat tasks task=blended predicates=AnyGhostEdible players=StarterPacMan,champion.json games=200",
             "",
         })
-final class TasksCommand extends WordCommand implements Runnable {
+final class TasksCommand extends ConsoleCommand implements Runnable {
 
     static final String PREDICATES =
             "threats (a ghost outside the lair is not edible), edible (a ghost is edible), pills (pills or"
                     + " power pills are left), noPills; or a division among modules, whose modules are the tasks.";
 
-    private static final int GAMES = 100;
     private static final int PROGRESS_SECONDS = 5;
     private static final int RATE_DECIMALS = 5;
 
-    @Override
-    List<Word> knownWords() {
-        return List.of(
-                new Word(
-                        "task",
-                        String.join("|", PublishedConfigurations.tasks()),
-                        "version of the game (default: all three, one after the other)"),
-                new Word(
-                        "predicates",
-                        "threats,edible",
-                        "two or more of " + String.join(", ", TaskDivision.predicateNames())
-                                + ", or a division such as AnyGhostEdible (default: pills,noPills in the isolated version,"
-                                + " threats,edible in the others)"),
-                new Word(
-                        "players",
-                        "NAME,...",
-                        "controllers, folders of runs, files with evolved networks, champion:blended and the like (default: the champion of"
-                                + " the version)"),
-                new Word(
-                        "games",
-                        "100",
-                        "trials per player; in the isolated version five games each (default " + GAMES + ")"),
-                new Word("seed", "0", "seed of the games (default 0)"),
-                ChampionWords.GHOSTS,
-                new Word("out", "FILE", "writes a line for each game as CSV"));
-    }
+    @Option(
+            names = "task",
+            paramLabel = "TASK",
+            completionCandidates = TaskOption.Versions.class,
+            description = "Version of the game: ${COMPLETION-CANDIDATES} (default: all three, one after the other).")
+    private String task;
+
+    @Option(
+            names = "predicates",
+            paramLabel = "NAME,...",
+            description =
+                    "Two or more predicates, or one division, such as AnyGhostEdible (default: pills,noPills in the"
+                            + " isolated version, threats,edible in the others).")
+    private String predicates;
+
+    @Option(
+            names = "players",
+            paramLabel = "NAME,...",
+            description = "Controllers, folders of runs, files with evolved networks, or champion:blended and the like"
+                    + " (default: the champion of the version).")
+    private String players;
+
+    @Option(
+            names = "games",
+            paramLabel = "N",
+            defaultValue = "100",
+            description = "Trials per player; in the isolated version a trial has five games"
+                    + " (default: ${DEFAULT-VALUE}).")
+    @Range(min = 1, max = 1_000_000)
+    private int games;
+
+    @Option(
+            names = "seed",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "Seed of the games (default: ${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Mixin
+    private GhostsOption ghosts;
+
+    @Option(names = "out", paramLabel = "FILE", description = "Writes a line for each game as CSV.")
+    private Path out;
 
     @Override
     public void run() {
-        Words words = words(0);
-        int games = words.integer("games", GAMES, 1, 1_000_000);
-        long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
-        List<String> versions = words.has("task")
-                ? List.of(words.choice("task", "", PublishedConfigurations.tasks()))
-                : PublishedConfigurations.tasks();
-        words.requireEffect(
-                ChampionWords.GHOSTS.name(),
-                versions.contains("isolated"),
-                "only the isolated version has recorded ghost locations");
-        words.path("out").ifPresent(out -> OutputFile.require("out", out));
+        List<String> versions = task == null ? PublishedConfigurations.tasks() : List.of(task);
+        ghosts.requireEffect(versions.contains("isolated"), "only the isolated version has recorded ghost locations");
+        if (out != null) {
+            OutputFile.require("out", out);
+        }
         StringBuilder csv = new StringBuilder(
                 "task,predicates,player,game,steps,switches,thrashing_rate,overlapping_steps,score\n");
         for (String version : versions) {
-            MsPacManTaskSettings settings = settings(version, words);
-            TaskDivision division = words.text("predicates")
-                    .map(TaskDivision::named)
-                    .orElseGet(() -> TaskDivision.usual(settings.version()));
+            MsPacManTaskSettings settings = settings(version);
+            TaskDivision division =
+                    predicates == null ? TaskDivision.usual(settings.version()) : TaskDivision.named(predicates);
             TaskMeter meter = new TaskMeter(settings, division);
-            List<String> names = List.of(
-                    words.text("players", NetworkPlayer.SHIPPED + version).split(","));
+            List<String> names = List.of((players == null ? NetworkPlayer.SHIPPED + version : players).split(","));
             List<TaskMeasurement> measured = new ArrayList<>();
             for (String name : names) {
-                TaskMeasurement measurement =
-                        meter.measure(player(name, seed), games, seed, progress(version, name, games));
+                TaskMeasurement measurement = meter.measure(player(name), games, seed, progress(version, name));
                 measured.add(measurement);
                 append(csv, version, name, measurement);
             }
             print(version, division, names, measured);
         }
-        words.path("out").ifPresent(out -> OutputFile.write(out, csv.toString()));
+        if (out != null) {
+            OutputFile.write(out, csv.toString());
+        }
     }
 
-    private static MsPacManTaskSettings settings(String version, Words words) {
+    private MsPacManTaskSettings settings(String version) {
         List<String> parameters = new ArrayList<>(List.of("task=" + version));
         if (version.equals("isolated")) {
-            ChampionWords.ghosts(words).ifPresent(file -> parameters.add("mazePowerPillGhostMapping=" + file));
+            ghosts.readableFile().ifPresent(file -> parameters.add("mazePowerPillGhostMapping=" + file));
         }
         return ((MsPacManTask) Tasks.factory(new ParameterReader(ParameterCatalogue.load())
                                 .read(parameters)
@@ -124,14 +136,14 @@ final class TasksCommand extends WordCommand implements Runnable {
                 .settings();
     }
 
-    private static Supplier<Controller<MOVE>> player(String name, long seed) {
+    private Supplier<Controller<MOVE>> player(String name) {
         if (NetworkPlayer.isNetwork(name)) {
             return NetworkPlayer.read(name, Optional.empty(), seed);
         }
         return new ControllerLoader(List.of()).pacMan(name)::create;
     }
 
-    private IntConsumer progress(String version, String name, int games) {
+    private IntConsumer progress(String version, String name) {
         PrintWriter notes = notes();
         long interval = TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
         long[] next = {System.nanoTime() + interval};

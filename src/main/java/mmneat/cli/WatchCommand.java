@@ -4,7 +4,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.Rules;
@@ -19,6 +18,9 @@ import mmneat.mspacman.MsPacManTaskSettings;
 import pacman.game.Constants;
 import pacman.game.MachineFonts;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /** Lets a network play a game and writes a page that shows it. */
 @Command(
@@ -34,52 +36,76 @@ import picocli.CommandLine.Command;
             "Example: mmneat watch champion=interleaved out=game.gif",
             "",
         })
-final class WatchCommand extends WordCommand implements Runnable {
+final class WatchCommand extends ConsoleCommand implements Runnable {
 
     private static final int LONGEST_DELAY_MILLISECONDS = 60_000;
 
-    @Override
-    List<Word> knownWords() {
-        return List.of(
-                ChosenChampion.WORD,
-                new Word(
-                        "out",
-                        "FILE",
-                        "the page to write, or an animated picture if it ends in .gif (default: the task's and the"
-                                + " network's name with .html, in this folder)"),
-                new Word(
-                        "window",
-                        "true",
-                        "shows the game in a window instead of writing it; space halts it (default false)"),
-                new Word("delay", "40", "milliseconds per step in the window (default 40)"),
-                new Word("seed", "0", "which game: the same seed gives the same game (default 0)"),
-                ChampionWords.RULES,
-                ChampionWords.TASK,
-                ChampionWords.GHOSTS);
-    }
+    @Parameters(arity = "0..1", paramLabel = "FILE", description = "Folder of a run, or file of a network.")
+    private Path file;
+
+    @Mixin
+    private ChampionChoice choice;
+
+    @Option(
+            names = "out",
+            paramLabel = "FILE",
+            description =
+                    "The page to write, or an animated picture if the name ends in .gif (default: the names of task"
+                            + " and network with .html, in this folder).")
+    private Path out;
+
+    @Option(
+            names = "window",
+            paramLabel = "true|false",
+            arity = "1",
+            defaultValue = "false",
+            description = "Shows the game in a window instead of writing it; the space bar pauses it"
+                    + " (default: ${DEFAULT-VALUE}).")
+    private boolean window;
+
+    @Option(
+            names = "delay",
+            paramLabel = "MS",
+            defaultValue = "" + Constants.DELAY,
+            description = "Milliseconds per step in the window (default: ${DEFAULT-VALUE}).")
+    @Range(min = 0, max = LONGEST_DELAY_MILLISECONDS)
+    private int delay;
+
+    @Option(
+            names = "seed",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "Seed of the game: the same seed gives the same game (default: ${DEFAULT-VALUE}).")
+    private long seed;
+
+    @Mixin
+    private RulesOption rulesOption;
+
+    @Mixin
+    private TaskOption task;
+
+    @Mixin
+    private GhostsOption ghosts;
 
     @Override
     public void run() {
-        Words words = words(1);
-        Champion champion = ChosenChampion.of(words, null);
-        Rules rules = ChampionWords.rules(words);
-        long seed = words.longInteger("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
-        MsPacManTaskSettings settings = ChampionWords.settings(words, champion, rules);
-        Path out = words.path("out").orElse(Path.of(pageName(champion, settings) + ".html"));
+        Champion champion = choice.read(file, null);
+        Rules rules = rulesOption.rules();
+        MsPacManTaskSettings settings = ghosts.settings(champion, task, rules);
+        Path out = this.out == null ? Path.of(pageName(champion, settings) + ".html") : this.out;
         String name = out.toString().toLowerCase(Locale.ROOT);
         if (!name.matches(".*\\.(html?|gif)")) {
             throw new UserError("out=" + out + ": must end in .html (a page) or .gif (an animated picture)");
         }
-        boolean window = words.flag("window", false);
-        words.requireEffect("delay", window, "pages and pictures have their own speed (delay= goes with window=true)");
+        requireEffect("delay", window, "pages and pictures have their own speed (delay= goes with window=true)");
         if (window) {
-            showWindow(words, champion, settings, seed);
+            showWindow(champion, settings);
         } else {
             Display.drawWithoutScreen();
             if (name.endsWith(".gif")) {
-                writeGif(out, champion, settings, seed);
+                writeGif(out, champion, settings);
             } else {
-                writePage(out, champion, settings, rules, seed);
+                writePage(out, champion, settings, rules);
             }
         }
         out().flush();
@@ -90,9 +116,8 @@ final class WatchCommand extends WordCommand implements Runnable {
         return champion.runFolder().isPresent() ? settings.version().label() + "-" + champion.name() : champion.name();
     }
 
-    private void showWindow(Words words, Champion champion, MsPacManTaskSettings settings, long seed) {
-        int delay = words.integer("delay", Constants.DELAY, 0, LONGEST_DELAY_MILLISECONDS);
-        if (words.has("out")) {
+    private void showWindow(Champion champion, MsPacManTaskSettings settings) {
+        if (isGiven("out")) {
             throw new UserError("window=true shows the game and writes no file; leave out either window= or out=");
         }
         if (!Display.isThere()) {
@@ -102,7 +127,7 @@ final class WatchCommand extends WordCommand implements Runnable {
         out().printf(Locale.ROOT, "%s: %,d points%n", champion.name(), score);
     }
 
-    private void writeGif(Path out, Champion champion, MsPacManTaskSettings settings, long seed) {
+    private void writeGif(Path out, Champion champion, MsPacManTaskSettings settings) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         int frames;
         try {
@@ -117,7 +142,7 @@ final class WatchCommand extends WordCommand implements Runnable {
         }
     }
 
-    private void writePage(Path out, Champion champion, MsPacManTaskSettings settings, Rules rules, long seed) {
+    private void writePage(Path out, Champion champion, MsPacManTaskSettings settings, Rules rules) {
         ReplayTitle title = new ReplayTitle(
                 settings.version().label() + " · " + champion.name(),
                 rules.label() + " rules, seed " + seed + ", network "

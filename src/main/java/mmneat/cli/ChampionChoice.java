@@ -1,0 +1,51 @@
+package mmneat.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.evaluation.ShippedChampions;
+import mmneat.experiment.UserError;
+import picocli.CommandLine.Option;
+
+/** The option {@code champion=}: a network that comes with the program, instead of a file or the folder of a run. */
+final class ChampionChoice {
+
+    private static final class Versions extends ArrayList<String> {
+        Versions() {
+            super(ShippedChampions.versions());
+        }
+    }
+
+    @Option(
+            names = "champion",
+            paramLabel = "TASK",
+            completionCandidates = Versions.class,
+            description = "Instead of FILE: the champion of this version of the task that comes with the program"
+                    + " (${COMPLETION-CANDIDATES}).")
+    private String version;
+
+    boolean isGiven() {
+        return version != null;
+    }
+
+    /**
+     * Reads the network that the user chose.
+     *
+     * @param file the folder of a run or the file of a network; null if none is given
+     * @param otherwise version of the champion to read if neither is given; null if that is an error
+     * @throws UserError if no network is chosen, or two
+     */
+    Champion read(Path file, String otherwise) {
+        if (file != null) {
+            if (isGiven()) {
+                throw new UserError("both a file and champion= are given; give one of them");
+            }
+            return Champion.read(file);
+        }
+        if (!isGiven() && otherwise == null) {
+            throw new UserError("no network is given; name a run's folder or a file, or write champion="
+                    + String.join("|", ShippedChampions.versions()));
+        }
+        return ShippedChampions.read(isGiven() ? version : otherwise);
+    }
+}

@@ -1,0 +1,68 @@
+package mmneat.cli;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import mmneat.analysis.evaluation.Champion;
+import mmneat.analysis.evaluation.PlayerSettings;
+import mmneat.analysis.evaluation.Rules;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The option {@code ghosts=}: recorded ghost locations for the isolated version of the task. */
+final class GhostsOption {
+
+    private static final String NAME = "ghosts";
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
+    @Option(
+            names = NAME,
+            paramLabel = "FILE",
+            description =
+                    "Recorded ghost locations, for the isolated version of the task (default: those of the run, or ours).")
+    private Path file;
+
+    /** The settings with which a champion plays. */
+    MsPacManTaskSettings settings(Champion champion, TaskOption task, Rules rules) {
+        // A version that does not use the file refuses the option, whether the file exists or not.
+        MsPacManTaskSettings settings =
+                PlayerSettings.of(champion, task.version(), rules, file().filter(Files::isReadable));
+        requireEffect(
+                settings.version() == TaskVersion.ISOLATED,
+                "only the isolated version has recorded ghost locations, and " + champion.name() + " plays another");
+        requireReadable();
+        return settings;
+    }
+
+    /** The same; empty if the champion was evolved for another task than Ms. Pac-Man. */
+    Optional<MsPacManTaskSettings> findSettings(Champion champion, TaskOption task, Rules rules) {
+        return PlayerSettings.find(champion, task.version(), rules, file());
+    }
+
+    /** The file, which can be read; empty if the option is not given. */
+    Optional<Path> readableFile() {
+        requireReadable();
+        return file();
+    }
+
+    /** Refuses the option where it has no effect. */
+    void requireEffect(boolean hasEffect, String reason) {
+        ConsoleCommand.requireEffect(command, NAME, hasEffect, reason);
+    }
+
+    private Optional<Path> file() {
+        return Optional.ofNullable(file);
+    }
+
+    private void requireReadable() {
+        if (file != null && !Files.isReadable(file)) {
+            throw new UserError(NAME + "=" + file + ": there is no such file that can be read");
+        }
+    }
+}

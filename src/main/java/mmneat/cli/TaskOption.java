@@ -1,0 +1,29 @@
+package mmneat.cli;
+
+import java.util.ArrayList;
+import java.util.Optional;
+import mmneat.experiment.parameters.PublishedConfigurations;
+import picocli.CommandLine.Option;
+
+/** The option {@code task=}: the version of the task that a champion plays. */
+final class TaskOption {
+
+    /** The versions of the task. */
+    static final class Versions extends ArrayList<String> {
+        Versions() {
+            super(PublishedConfigurations.tasks());
+        }
+    }
+
+    @Option(
+            names = "task",
+            paramLabel = "TASK",
+            completionCandidates = Versions.class,
+            description = "Version of the task: ${COMPLETION-CANDIDATES} (default: that of the run, or the one that the"
+                    + " network's inputs fit).")
+    private String version;
+
+    Optional<String> version() {
+        return Optional.ofNullable(version);
+    }
+}
