@@ -15,7 +15,7 @@ import mmneat.analysis.tasks.Episode;
 import mmneat.analysis.tasks.TaskDivision;
 import mmneat.analysis.tasks.TaskMeasurement;
 import mmneat.analysis.tasks.TaskMeter;
-import mmneat.cli.entry.ControllerLoader;
+import mmneat.contest.entry.ControllerLoader;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.PublishedConfigurations;

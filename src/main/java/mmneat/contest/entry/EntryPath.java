@@ -1,4 +1,4 @@
-package mmneat.cli.entry;
+package mmneat.contest.entry;
 
 import java.io.File;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package mmneat.cli.entry;
+package mmneat.contest.entry;
 
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;

@@ -1,2 +1,2 @@
 /** Controllers by class name: ours, and entries of others from a jar or class folder. */
-package mmneat.cli.entry;
+package mmneat.contest.entry;

@@ -1,4 +1,4 @@
-package mmneat.cli.entry;
+package mmneat.contest.entry;
 
 import java.io.IOException;
 import java.io.InputStream;

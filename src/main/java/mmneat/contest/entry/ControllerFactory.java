@@ -1,4 +1,4 @@
-package mmneat.cli.entry;
+package mmneat.contest.entry;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;

@@ -1,4 +1,4 @@
-package mmneat.cli.entry;
+package mmneat.contest.entry;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
