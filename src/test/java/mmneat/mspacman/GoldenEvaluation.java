@@ -53,11 +53,15 @@ record GoldenEvaluation(JsonNode json) {
     }
 
     MsPacManTaskSettings settings() throws IOException {
+        return settings(ghostLocations());
+    }
+
+    MsPacManTaskSettings settings(GhostLocations locations) {
         MsPacManTaskSettings settings =
                 switch (json.get("version").asText()) {
                     case "blended" -> MsPacManTaskSettings.blended();
                     case "interleaved" -> MsPacManTaskSettings.interleaved();
-                    default -> MsPacManTaskSettings.isolated(ghostLocations());
+                    default -> MsPacManTaskSettings.isolated(locations);
                 };
         for (JsonNode parameter : json.get("parameters")) {
             if (parameter.asText().startsWith("pacmanMultitaskScheme:")) {

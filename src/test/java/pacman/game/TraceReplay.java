@@ -10,7 +10,10 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.util.zip.GZIPInputStream;
 
-/** Replays a trace file from its recorded inputs and compares every line with what the engine does. */
+/**
+ * Replays a trace file, full or compact ({@link CompactTraces}), from its recorded inputs and compares every line with what
+ * the engine does.
+ */
 final class TraceReplay {
 
     private final String name;
@@ -19,6 +22,7 @@ final class TraceReplay {
     private TracedGame traced;
     private String game;
     private int step;
+    private CompactTraces.Checksum checksum;
 
     int games;
     int steps;
@@ -33,11 +37,23 @@ final class TraceReplay {
         try (BufferedReader lines = new BufferedReader(
                 new InputStreamReader(new GZIPInputStream(gzip, 1 << 16), StandardCharsets.UTF_8), 1 << 16)) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                if (line.startsWith("[")) {
-                    step(line);
-                } else {
-                    describe(TracedGame.JSON.readTree(line));
-                }
+                replay(line);
+            }
+        }
+    }
+
+    void replay(String line) throws IOException {
+        switch (line.charAt(0)) {
+            case '[' -> step(line);
+            case '{' -> describe(TracedGame.JSON.readTree(line));
+            case '#' ->
+                assertThat(checksum.take())
+                        .as("checksum of the steps up to " + where())
+                        .isEqualTo(line);
+            default -> {
+                checksum.add(traced.step(line.charAt(0), line.substring(1)));
+                step++;
+                steps++;
             }
         }
     }
@@ -75,6 +91,7 @@ final class TraceReplay {
         game = line.get("id").asText();
         games++;
         step = 0;
+        checksum = new CompactTraces.Checksum();
         GameRules own = rules.withMazes(
                 mazes -> mazes.withInitialMaze(line.get("initialMaze").asInt())
                         .withStartingPowerPill(line.get("startPowerPill").asInt()));

@@ -5,8 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import mmneat.GoldenData;
 import mmneat.experiment.parameters.ParameterCatalogue;
@@ -17,10 +20,10 @@ import mmneat.experiment.parameters.ParameterReader;
  *
  * @param folder with {@code command.txt}, {@code directory.txt} and the recorded files
  */
-record GoldenRun(Path folder) {
+public record GoldenRun(Path folder) {
 
     /** The words of the recorded command line; its results go to {@code base}, its input files are the golden data. */
-    Stream<String> commandLine(Path base) throws IOException {
+    public Stream<String> commandLine(Path base) throws IOException {
         Path locations = GoldenData.folder("ghost-locations").resolve("PowerPillToGhostLocationMapping.txt");
         return Arrays.stream(
                         Files.readString(folder.resolve("command.txt")).strip().split(" "))
@@ -38,7 +41,7 @@ record GoldenRun(Path folder) {
     }
 
     /** Carries out a command line; every run must be completed. */
-    static void run(Stream<String> words) throws InterruptedException {
+    public static void run(Stream<String> words) throws InterruptedException {
         ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
         ExperimentPlan plan = ExperimentPlan.of(reader.read(words.toList()).parameters());
         assertThat(new ExperimentRunner(plan).run())
@@ -48,16 +51,30 @@ record GoldenRun(Path folder) {
 
     /** Compares each recorded file with the one that our run wrote below {@code base}. */
     void requireSameFiles(Path base) throws IOException {
+        counterparts(base).forEach((recorded, ours) -> requireSame(ours, recorded));
+    }
+
+    /** Replaces each recorded file by the one that our run wrote below {@code base}. */
+    public void replaceFiles(Path base) throws IOException {
+        for (Map.Entry<Path, Path> file : counterparts(base).entrySet()) {
+            Files.copy(file.getValue(), file.getKey(), StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+
+    /** Our run's file for each recorded file. */
+    private Map<Path, Path> counterparts(Path base) throws IOException {
         Path ours =
                 base.resolve(Files.readString(folder.resolve("directory.txt")).strip());
+        Map<Path, Path> counterparts = new TreeMap<>();
         for (String part : List.of("files", "bestPacMan", "bestObjectives")) {
-            Path counterparts = part.equals("files") ? ours : ours.resolve(part);
+            Path oursOfPart = part.equals("files") ? ours : ours.resolve(part);
             try (Stream<Path> files = Files.list(folder.resolve(part))) {
-                List<Path> expected = files.toList();
-                assertThat(expected).isNotEmpty();
-                expected.forEach(file -> requireSame(counterparts.resolve(file.getFileName()), file));
+                List<Path> recorded = files.toList();
+                assertThat(recorded).isNotEmpty();
+                recorded.forEach(file -> counterparts.put(file, oursOfPart.resolve(file.getFileName())));
             }
         }
+        return counterparts;
     }
 
     static void requireSame(Path ours, Path golden) {

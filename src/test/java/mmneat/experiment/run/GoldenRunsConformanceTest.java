@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The sixteen published command lines write the original's files, byte for byte: golden/runs. So do the runs of golden/logs,
- * other options and another seed.
+ * other options and another seed. In the compact data the isolated runs are this program's, with its own ghost locations.
  */
 @Tag("conformance")
 class GoldenRunsConformanceTest {
