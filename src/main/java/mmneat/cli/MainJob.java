@@ -10,7 +10,7 @@ import java.util.concurrent.Callable;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
-import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.ExperimentRunner;
 import mmneat.experiment.run.RunMonitor;
@@ -101,7 +101,7 @@ final class MainJob implements Callable<Integer> {
             out.println("Learning curve: " + curve.get() + png);
             out.println("To look further:");
             boolean hasChampion = Champion.isIn(best.get());
-            if (hasChampion && TaskKind.of(plan.parameters()) != TaskKind.OWN) {
+            if (hasChampion && PublishedTask.version(plan.parameters()).isPresent()) {
                 out.println("  " + ThisProgram.command("watch", best.get().toString()));
             }
             if (hasChampion) {

@@ -8,7 +8,7 @@ import java.util.Optional;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.ChampionLabels;
 import mmneat.experiment.UserError;
-import mmneat.experiment.parameters.PublishedConfigurations;
+import mmneat.mspacman.TaskVersion;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeJson;
 import mmneat.neat.io.GenotypeXml;
@@ -48,7 +48,7 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
 
     private static final class Tasks extends ArrayList<String> {
         Tasks() {
-            super(PublishedConfigurations.tasks());
+            super(TaskVersion.labels());
             add(NO_TASK);
         }
     }

@@ -2,7 +2,7 @@ package mmneat.cli;
 
 import java.util.ArrayList;
 import java.util.Optional;
-import mmneat.experiment.parameters.PublishedConfigurations;
+import mmneat.mspacman.TaskVersion;
 import picocli.CommandLine.Option;
 
 /** The option {@code task=}: the version of the task that a champion plays. */
@@ -11,7 +11,7 @@ final class TaskOption {
     /** The versions of the task. */
     static final class Versions extends ArrayList<String> {
         Versions() {
-            super(PublishedConfigurations.tasks());
+            super(TaskVersion.labels());
         }
     }
 

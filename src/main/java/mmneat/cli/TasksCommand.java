@@ -18,7 +18,6 @@ import mmneat.analysis.tasks.TaskMeter;
 import mmneat.contest.entry.ControllerLoader;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
-import mmneat.experiment.parameters.PublishedConfigurations;
 import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
@@ -98,7 +97,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
 
     @Override
     public void run() {
-        List<String> versions = task == null ? PublishedConfigurations.tasks() : List.of(task);
+        List<String> versions = task == null ? TaskVersion.labels() : List.of(task);
         ghosts.requireEffect(versions.contains("isolated"), "only the isolated version has recorded ghost locations");
         if (out != null) {
             OutputFile.require("out", out);

@@ -1,8 +1,11 @@
 package mmneat.mspacman;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
 
-/** The three versions of the task that the paper compares. */
+/** The three versions of the task that the paper compares; its section 3 defines them for any domain. */
 public enum TaskVersion {
     /** Threats and edible ghosts at the same time: one full game per trial. */
     BLENDED,
@@ -11,8 +14,20 @@ public enum TaskVersion {
     /** A game of eating pills among threats, and four games of eating ghosts, per trial. */
     ISOLATED;
 
-    /** As it is written in commands and titles. */
+    /** As it is written in commands, folder names and titles: {@code blended}, {@code interleaved} or {@code isolated}. */
     public String label() {
         return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** All labels, in the paper's order. */
+    public static List<String> labels() {
+        return Stream.of(values()).map(TaskVersion::label).toList();
+    }
+
+    /** The version with exactly this label. */
+    public static Optional<TaskVersion> labelled(String label) {
+        return Stream.of(values())
+                .filter(version -> version.label().equals(label))
+                .findFirst();
     }
 }

@@ -3,9 +3,9 @@ package mmneat.analysis.evaluation;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import mmneat.analysis.results.MethodName;
 import mmneat.evolution.Task;
 import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.PublishedTask;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.neat.ModuleLayout;
@@ -31,13 +31,14 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
             Task task = ChampionTask.of(champion, version, Optional.empty());
             boolean guessed = version.isEmpty()
                     && !ChampionTask.isToldByRun(champion, version)
-                    && MethodName.version(champion.parameters()).isEmpty();
+                    && PublishedTask.version(champion.parameters()).isEmpty();
             return new ChampionLabels(
                     task instanceof MsPacManTask game
                             ? of(game.settings(), champion.genotype().layout())
                             : new NetworkLabels(task.inputLabels(), List.of()),
                     guessed
-                            ? "inputs named as in task=" + ChampionTask.version(champion)
+                            ? "inputs named as in task="
+                                    + ChampionTask.version(champion).label()
                                     + ", which has as many; task= names another"
                             : "");
         } catch (UserError e) {

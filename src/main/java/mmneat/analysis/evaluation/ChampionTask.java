@@ -4,12 +4,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import mmneat.analysis.results.MethodName;
 import mmneat.evolution.Task;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
+import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.parameters.Tasks;
+import mmneat.mspacman.TaskVersion;
 import mmneat.neat.Genotype;
 
 /** Finds the task of a champion: that of its run, or the published one that its network suits. */
@@ -31,11 +32,11 @@ final class ChampionTask {
         if (isToldByRun(champion, version)) {
             words.add("config=" + champion.parametersFile().get());
         } else {
-            String task = version.orElseGet(() -> version(champion));
-            words.add("task=" + task);
+            TaskVersion task = version.flatMap(TaskVersion::labelled).orElseGet(() -> version(champion));
+            words.add("task=" + task.label());
             words.add("method=" + method(champion.genotype(), task));
         }
-        ghostLocations.ifPresent(file -> words.add("mazePowerPillGhostMapping=" + file));
+        ghostLocations.ifPresent(file -> words.add(Tasks.GHOST_LOCATIONS + "=" + file));
         Task task = Tasks.factory(new ParameterReader(ParameterCatalogue.load())
                         .read(words)
                         .parameters())
@@ -54,19 +55,15 @@ final class ChampionTask {
     }
 
     /** The version that a champion was evolved in, or the one that has as many sensors. */
-    static String version(Champion champion) {
-        String version = MethodName.version(champion.parameters());
-        if (!version.isEmpty()) {
-            return version;
-        }
-        return champion.genotype().inputs() == BLENDED_INPUTS ? "blended" : "interleaved";
+    static TaskVersion version(Champion champion) {
+        return PublishedTask.version(champion.parameters())
+                .orElse(champion.genotype().inputs() == BLENDED_INPUTS ? TaskVersion.BLENDED : TaskVersion.INTERLEAVED);
     }
 
     /** Of the method only the division of a multitask network matters here. */
-    private static String method(Genotype genotype, String version) {
-        if (!genotype.layout().standardMultitask()) {
-            return "1M";
-        }
-        return version.equals("blended") ? "MT" + genotype.modules() : "MT";
+    private static String method(Genotype genotype, TaskVersion version) {
+        return genotype.layout().standardMultitask()
+                ? PublishedTask.multitask(Optional.of(version), genotype.modules())
+                : "1M";
     }
 }

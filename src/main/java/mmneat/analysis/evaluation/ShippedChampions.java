@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import mmneat.mspacman.TaskVersion;
 import mmneat.neat.io.GenotypeFormatException;
 import mmneat.neat.io.GenotypeJson;
 
@@ -17,13 +18,11 @@ import mmneat.neat.io.GenotypeJson;
  */
 public final class ShippedChampions {
 
-    private static final List<String> VERSIONS = List.of("blended", "interleaved", "isolated");
-
     private ShippedChampions() {}
 
     /** The versions that have a champion. */
     public static List<String> versions() {
-        return VERSIONS;
+        return TaskVersion.labels();
     }
 
     /**

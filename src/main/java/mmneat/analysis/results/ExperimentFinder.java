@@ -15,7 +15,8 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import mmneat.experiment.UserError;
-import mmneat.experiment.parameters.PublishedConfigurations;
+import mmneat.experiment.parameters.PublishedTask;
+import mmneat.mspacman.TaskVersion;
 
 /**
  * Finds the experiments that a user means by a path: {@code results/blended} is every method in it, {@code results/blended/2M}
@@ -103,13 +104,15 @@ public final class ExperimentFinder {
     private static Experiment experiment(Path stem, List<RunResult> runs) {
         Map<String, String> parameters = runs.get(0).parameters();
         String name = stem.getFileName().toString();
-        String version = MethodName.version(parameters);
+        String version =
+                PublishedTask.version(parameters).map(TaskVersion::label).orElse("");
         if (version.isEmpty() && stem.toAbsolutePath().getParent() != null) {
             String parent = String.valueOf(stem.toAbsolutePath().getParent().getFileName());
-            version = PublishedConfigurations.tasks().contains(parent) ? parent : "";
+            version = TaskVersion.labels().contains(parent) ? parent : "";
         }
-        String method = parameters.isEmpty() ? name : MethodName.of(parameters);
-        return new Experiment(version, method.isEmpty() ? name : method, name, runs);
+        String method =
+                parameters.isEmpty() ? name : PublishedTask.method(parameters).orElse(name);
+        return new Experiment(version, method, name, runs);
     }
 
     /** The shortest label that tells all apart: the method, the version and the method, the folder's name, or the folder. */

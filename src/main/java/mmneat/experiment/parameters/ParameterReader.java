@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +17,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.TaskVersion;
 
 /**
  * Reads what somebody asks for: built-in defaults, over them what the paper sets for the task and method, over them the
@@ -54,16 +56,17 @@ public final class ParameterReader {
                 Parameters.defaults(catalogue).with(preset(asked.getOrDefault("task", ""), asked.get("method")));
         requireNoContradiction(commandLine, Parameters.defaults(catalogue).with(file), preset);
         Parameters parameters = preset.with(asked);
-        TaskKind kind = TaskKind.of(parameters);
-        if (kind != TaskKind.OWN && !parameters.ofOwnTask().isEmpty()) {
+        Optional<TaskVersion> version = PublishedTask.version(parameters);
+        if (version.isPresent() && !parameters.ofOwnTask().isEmpty()) {
             throw new UserError("unknown parameter '" + OwnTask.PREFIX
                     + parameters.ofOwnTask().keySet().iterator().next() + "': names with '" + OwnTask.PREFIX
                     + "' are for a task of your own");
         }
-        if (kind != TaskKind.ISOLATED && !parameters.text(Tasks.GHOST_LOCATIONS).isEmpty()) {
+        if (version.filter(TaskVersion.ISOLATED::equals).isEmpty()
+                && !parameters.text(Tasks.GHOST_LOCATIONS).isEmpty()) {
             remarks.add(Tasks.GHOST_LOCATIONS + " has no effect: only the isolated task has recorded ghost locations");
         }
-        if (kind == TaskKind.OWN) {
+        if (version.isEmpty()) {
             remarkOnGame(commandLine, parameters, remarks);
         }
         parameters.as(EvolutionParameters.class).requireConsistent();
@@ -168,17 +171,11 @@ public final class ParameterReader {
     }
 
     private Map<String, String> preset(String task, String method) {
-        boolean published = PublishedConfigurations.tasks().contains(task);
-        if (method == null) {
-            return published
-                    ? PublishedConfigurations.settings(
-                            task, catalogue.require("method").defaultValue())
-                    : Map.of();
-        }
-        String checked = catalogue.require("method").check(method);
-        return published
-                ? PublishedConfigurations.settings(task, checked)
-                : PublishedConfigurations.methodAlone(checked);
+        Parameter methods = catalogue.require("method");
+        String chosen = methods.check(method == null ? methods.defaultValue() : method);
+        return TaskVersion.labelled(task)
+                .map(version -> PublishedConfigurations.settings(version, chosen))
+                .orElseGet(() -> method == null ? Map.of() : PublishedConfigurations.methodAlone(chosen));
     }
 
     /**
@@ -187,11 +184,11 @@ public final class ParameterReader {
      */
     private static void requireNoContradiction(Map<String, String> commandLine, Parameters file, Parameters preset) {
         boolean otherMethod = isOther("method", commandLine, file);
-        boolean otherTask = isOther("task", commandLine, file)
-                && PublishedConfigurations.tasks().contains(commandLine.get("task"));
+        boolean otherTask =
+                isOther("task", commandLine, file) && TaskVersion.labels().contains(commandLine.get("task"));
         String config = " in config=" + commandLine.get("config");
         if (otherMethod || otherTask && !file.isGiven("method")) {
-            contradiction(PublishedConfigurations.NAMES_OF_METHODS, commandLine, file, preset)
+            contradiction(PublishedConfigurations.namesOfMethods(), commandLine, file, preset)
                     .ifPresent(name -> {
                         throw new UserError(name + "=" + file.text(name) + config + " contradicts "
                                 + (otherMethod
@@ -205,7 +202,7 @@ public final class ParameterReader {
                     });
         }
         if (otherTask) {
-            contradiction(PublishedConfigurations.NAMES_OF_TASKS, commandLine, file, preset)
+            contradiction(PublishedConfigurations.namesOfTasks(), commandLine, file, preset)
                     .ifPresent(name -> {
                         throw new UserError(name + "=" + file.text(name) + config + " contradicts task="
                                 + commandLine.get("task") + ", which means " + name + "=" + preset.text(name)
@@ -220,7 +217,7 @@ public final class ParameterReader {
     }
 
     private static Optional<String> contradiction(
-            List<String> names, Map<String, String> commandLine, Parameters file, Parameters preset) {
+            Collection<String> names, Map<String, String> commandLine, Parameters file, Parameters preset) {
         return names.stream()
                 .filter(name -> file.isGiven(name) && !commandLine.containsKey(name))
                 .filter(name -> !file.text(name).equals(preset.text(name)))

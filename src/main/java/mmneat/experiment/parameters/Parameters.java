@@ -118,7 +118,7 @@ public final class Parameters {
     }
 
     /** All values, in the catalogue's order. */
-    Map<String, String> values() {
+    public Map<String, String> values() {
         return Collections.unmodifiableMap(values);
     }
 }

@@ -5,60 +5,46 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.LinkedHashMap;
+import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.TaskVersion;
 
 /**
- * The sixteen published experiments: what the paper sets for each task and method, from
+ * The sixteen published experiments: what the paper sets for each version of the task and each method, from
  * {@code configs/<task>/<method>.properties}. Source: docs/specification/evolution.md, section 9.
  */
 public final class PublishedConfigurations {
 
-    /** The parameters in which the methods of a task differ. */
-    static final List<String> NAMES_OF_METHODS =
-            List.of("startingModes", "mmdRate", "multitaskModes", "pacmanMultitaskScheme");
-
-    /** The parameters in which the tasks differ. */
-    static final List<String> NAMES_OF_TASKS = List.of("imprisonedWhileEdible", "removePillsNearPowerPills");
-
-    /** The methods of each task, in the paper's order. */
-    private static final Map<String, List<String>> METHODS = methods();
+    /** All methods, in the paper's order; each version has those that it has a file for. */
+    static final List<String> METHODS = List.of("1M", "2M", "3M", "MMD", "MT", "MT2", "MT3");
 
     private PublishedConfigurations() {}
 
-    private static Map<String, List<String>> methods() {
-        Map<String, List<String>> methods = new LinkedHashMap<>();
-        methods.put("blended", List.of("1M", "2M", "3M", "MMD", "MT2", "MT3"));
-        methods.put("interleaved", List.of("1M", "2M", "3M", "MMD", "MT"));
-        methods.put("isolated", List.of("1M", "2M", "3M", "MMD", "MT"));
-        return methods;
-    }
-
-    /** blended, interleaved, isolated. */
-    public static List<String> tasks() {
-        return List.copyOf(METHODS.keySet());
-    }
-
-    /** The methods with which the task was published. */
-    public static List<String> methodsOf(String task) {
-        return METHODS.get(task);
+    /** The methods with which the version was published. */
+    public static List<String> methodsOf(TaskVersion version) {
+        return METHODS.stream()
+                .filter(method -> PublishedConfigurations.class.getResource(resource(version, method)) != null)
+                .toList();
     }
 
     /**
      * What the paper sets, besides the task and the method, which the files name so that they can be given as {@code config=}.
      *
-     * @throws UserError if the task was not published with this method
+     * @throws UserError if the version was not published with this method
      */
-    static Map<String, String> settings(String task, String method) {
-        if (!METHODS.get(task).contains(method)) {
-            throw new UserError("method=" + method + " does not go with task=" + task + "; its methods are "
-                    + String.join(", ", METHODS.get(task)));
-        }
-        String resource = "/configs/" + task + "/" + method + ".properties";
+    static Map<String, String> settings(TaskVersion version, String method) {
+        String resource = resource(version, method);
         try (InputStream stream = PublishedConfigurations.class.getResourceAsStream(resource)) {
+            if (stream == null) {
+                throw new UserError("method=" + method + " does not go with task=" + version.label()
+                        + "; its methods are " + String.join(", ", methodsOf(version)));
+            }
             Map<String, String> settings = PropertiesFile.read(new InputStreamReader(stream, StandardCharsets.UTF_8));
             settings.keySet().removeAll(Set.of("task", "method"));
             return settings;
@@ -67,16 +53,54 @@ public final class PublishedConfigurations {
         }
     }
 
-    /** What a method means for a task of somebody's own, of which nothing was published. */
+    private static String resource(TaskVersion version, String method) {
+        return "/configs/" + version.label() + "/" + method + ".properties";
+    }
+
+    /** The parameters in which the methods of a version differ. */
+    static Collection<String> namesOfMethods() {
+        Set<String> names = new LinkedHashSet<>();
+        for (TaskVersion version : TaskVersion.values()) {
+            names.addAll(differing(methodsOf(version).stream().map(method -> settings(version, method))));
+        }
+        return names;
+    }
+
+    /** The parameters in which the versions differ, whatever the method. */
+    static Collection<String> namesOfTasks() {
+        Collection<String> names = differing(Stream.of(TaskVersion.values())
+                .flatMap(version -> methodsOf(version).stream().map(method -> settings(version, method))));
+        names.removeAll(namesOfMethods());
+        return names;
+    }
+
+    /** The names that some of the settings lack or give another value. */
+    private static Collection<String> differing(Stream<Map<String, String>> settings) {
+        List<Map<String, String>> all = settings.toList();
+        Set<String> names = all.stream()
+                .flatMap(each -> each.keySet().stream())
+                .collect(Collectors.toCollection(LinkedHashSet::new));
+        names.removeIf(name ->
+                all.stream().map(each -> each.getOrDefault(name, "")).distinct().count() == 1);
+        return names;
+    }
+
+    /**
+     * The parameters that make a method, for a task of the user's own, of which nothing was published.
+     *
+     * @throws UserError if the method divides the task, which only the published versions can
+     */
     static Map<String, String> methodAlone(String method) {
-        return switch (method) {
-            case "1M" -> Map.of();
-            case "2M" -> Map.of("startingModes", "2");
-            case "3M" -> Map.of("startingModes", "3");
-            case "MMD" -> Map.of("mmdRate", "0.1");
-            default ->
-                throw new UserError("method=" + method + " needs a human-specified task division, which only"
-                        + " the tasks " + String.join(", ", tasks()) + " have");
-        };
+        Map<String, String> settings = Stream.of(TaskVersion.values())
+                .filter(version -> methodsOf(version).contains(method))
+                .findFirst()
+                .map(version -> settings(version, method))
+                .orElseThrow();
+        settings.keySet().retainAll(namesOfMethods());
+        if (settings.containsKey("multitaskModes")) {
+            throw new UserError("method=" + method + " needs a human-specified task division, which only"
+                    + " the tasks " + String.join(", ", TaskVersion.labels()) + " have");
+        }
+        return settings;
     }
 }

@@ -27,12 +27,10 @@ public final class Tasks {
      * @throws UserError if the parameters describe none
      */
     public static Supplier<Task> factory(Parameters parameters) {
-        return switch (TaskKind.of(parameters)) {
-            case BLENDED -> game(parameters, TaskVersion.BLENDED);
-            case INTERLEAVED -> game(parameters, TaskVersion.INTERLEAVED);
-            case ISOLATED -> game(parameters, TaskVersion.ISOLATED);
-            case OWN -> OwnTask.factory(parameters.text("task"), parameters.text("jar"), parameters.ofOwnTask());
-        };
+        return PublishedTask.version(parameters)
+                .map(version -> game(parameters, version))
+                .orElseGet(
+                        () -> OwnTask.factory(parameters.text("task"), parameters.text("jar"), parameters.ofOwnTask()));
     }
 
     private static Supplier<Task> game(Parameters parameters, TaskVersion version) {

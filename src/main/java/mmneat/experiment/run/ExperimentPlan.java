@@ -2,12 +2,13 @@ package mmneat.experiment.run;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.Parameters;
-import mmneat.experiment.parameters.PublishedConfigurations;
-import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.parameters.PublishedTask;
+import mmneat.mspacman.TaskVersion;
 
 /**
  * What somebody asks for, run by run: {@code runs=30} means the runs 0 to 29 with the seeds 0 to 29.
@@ -35,8 +36,9 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
             throw new UserError("randomSeed=" + parameters.text("randomSeed") + " would make " + numbers.size()
                     + " equal runs: leave it out, then run r has the seed r; or ask for one run with run=NUMBER");
         }
-        TaskKind kind = TaskKind.of(parameters);
-        String task = kind == TaskKind.OWN ? simpleName(parameters.text("task")) : kind.label();
+        String task = PublishedTask.version(parameters)
+                .map(TaskVersion::label)
+                .orElseGet(() -> simpleName(parameters.text("task")));
         String method = methodLabel(parameters);
         String base = parameters.isGiven("base") ? parameters.text("base") : "results/" + task;
         String saveTo = parameters.isGiven("saveTo") ? parameters.text("saveTo") : method;
@@ -73,15 +75,18 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
         return IntStream.range(0, parameters.integer("runs")).boxed().toList();
     }
 
-    /** The method that was named, or the one that the parameters amount to. */
+    /**
+     * The name that folders have for the method: the one that was named, or what the parameters amount to. The second form
+     * always has the number of modules, as folders of earlier runs do.
+     */
     private static String methodLabel(Parameters parameters) {
-        if (parameters.isGiven("method") || PublishedConfigurations.tasks().contains(parameters.text("task"))) {
+        if (parameters.isGiven("method") || TaskVersion.labels().contains(parameters.text("task"))) {
             return parameters.text("method");
         }
-        if (parameters.integer("multitaskModes") > 1) {
-            return "MT" + parameters.integer("multitaskModes");
-        }
-        return parameters.number("mmdRate") > 0 ? "MMD" : parameters.integer("startingModes") + "M";
+        int modules = parameters.integer("multitaskModes");
+        return modules > 1
+                ? PublishedTask.multitask(Optional.empty(), modules)
+                : PublishedTask.method(parameters.values()).orElse("MMD");
     }
 
     private static String simpleName(String className) {

@@ -21,13 +21,14 @@ import mmneat.evolution.Task;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.EvolutionParameters;
-import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.parameters.Tasks;
 import mmneat.experiment.store.DurableFiles;
 import mmneat.experiment.store.GhostLocationsCopy;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunParametersFile;
 import mmneat.experiment.store.RunStatus;
+import mmneat.mspacman.TaskVersion;
 
 /**
  * Does the runs of a plan: side by side, each by itself and exact. A run that is finished is skipped, one that was begun is
@@ -104,7 +105,9 @@ public final class ExperimentRunner {
     }
 
     private static List<Supplier<Task>> tasks(ExperimentPlan plan) {
-        if (TaskKind.of(plan.parameters()) == TaskKind.ISOLATED) {
+        if (PublishedTask.version(plan.parameters())
+                .filter(TaskVersion.ISOLATED::equals)
+                .isPresent()) {
             return plan.runs().stream()
                     .map(run -> Tasks.factory(GhostLocationsCopy.parameters(run.directory(), run.parameters())))
                     .toList();

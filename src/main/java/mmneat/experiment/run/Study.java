@@ -11,6 +11,7 @@ import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.PublishedConfigurations;
 import mmneat.experiment.store.RunStatus;
+import mmneat.mspacman.TaskVersion;
 
 /**
  * Several experiments that are asked for in one go: every published combination of the tasks and methods that are listed.
@@ -82,11 +83,11 @@ public record Study(List<Part> parts, List<String> remarks) {
     }
 
     private static List<String> publishedMethods(String task) {
-        if (!PublishedConfigurations.tasks().contains(task)) {
-            throw new UserError("task=" + task + ": a list takes " + String.join(", ", PublishedConfigurations.tasks())
-                    + NearestName.suggestion(task, PublishedConfigurations.tasks()));
-        }
-        return PublishedConfigurations.methodsOf(task);
+        return TaskVersion.labelled(task)
+                .map(PublishedConfigurations::methodsOf)
+                .orElseThrow(
+                        () -> new UserError("task=" + task + ": a list takes " + String.join(", ", TaskVersion.labels())
+                                + NearestName.suggestion(task, TaskVersion.labels())));
     }
 
     /** The values of a word that may be a list; {@code otherwise} alone if it is not there, nothing if that is empty. */

@@ -7,8 +7,9 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.Parameters;
-import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.parameters.Tasks;
+import mmneat.mspacman.TaskVersion;
 import pacman.game.GhostLocations;
 
 /**
@@ -63,7 +64,9 @@ public final class GhostLocationsCopy {
     }
 
     private static boolean isNeeded(Parameters parameters) {
-        return TaskKind.of(parameters) == TaskKind.ISOLATED;
+        return PublishedTask.version(parameters)
+                .filter(TaskVersion.ISOLATED::equals)
+                .isPresent();
     }
 
     private static Path file(Path directory) {

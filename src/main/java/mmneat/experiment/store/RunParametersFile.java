@@ -13,14 +13,16 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.OwnTask;
 import mmneat.experiment.parameters.Parameter;
 import mmneat.experiment.parameters.Parameters;
 import mmneat.experiment.parameters.PropertiesFile;
-import mmneat.experiment.parameters.TaskKind;
+import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.parameters.Tasks;
+import mmneat.mspacman.TaskVersion;
 
 /**
  * {@code parameters.properties} in a run's folder: everything that is needed to make the run again, readable as
@@ -111,11 +113,9 @@ public final class RunParametersFile {
                 values.put(name, parameters.text(name));
             }
         }
-        TaskKind kind = TaskKind.of(parameters);
-        if (kind != TaskKind.OWN) {
-            values.put("task", kind.label());
-        }
-        if (kind == TaskKind.ISOLATED) {
+        Optional<TaskVersion> version = PublishedTask.version(parameters);
+        version.ifPresent(named -> values.put("task", named.label()));
+        if (version.filter(TaskVersion.ISOLATED::equals).isPresent()) {
             values.put(Tasks.GHOST_LOCATIONS, GhostLocationsCopy.FILE);
         }
         parameters.ofOwnTask().forEach((name, value) -> values.put(OwnTask.PREFIX + name, value));

@@ -10,12 +10,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.MsPacManTask;
+import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
+import mmneat.mspacman.TrialGame;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import pacman.game.GhostLocations;
 
 class ParameterReaderTest {
 
@@ -81,8 +84,9 @@ class ParameterReaderTest {
 
     @Test
     void eachPublishedFile_isItsExperiment() {
-        for (String task : PublishedConfigurations.tasks()) {
-            for (String method : PublishedConfigurations.methodsOf(task)) {
+        for (TaskVersion version : TaskVersion.values()) {
+            String task = version.label();
+            for (String method : PublishedConfigurations.methodsOf(version)) {
                 String config = "config=configs/" + task + "/" + method + ".properties";
                 assertThat(withoutConfig(read(config)))
                         .as(config)
@@ -123,25 +127,61 @@ class ParameterReaderTest {
 
     @Test
     void namesOfMethodsAndTasks_areThoseInWhichThePublishedOnesDiffer() {
-        Map<String, Set<String>> ofMethods = new TreeMap<>();
-        Map<String, Set<String>> ofTasks = new TreeMap<>();
-        for (String task : PublishedConfigurations.tasks()) {
-            Map<String, Set<String>> ofTask = new TreeMap<>();
-            for (String method : PublishedConfigurations.methodsOf(task)) {
-                read("task=" + task, "method=" + method).values().forEach((name, value) -> ofTask.computeIfAbsent(
-                                name, unused -> new TreeSet<>())
-                        .add(value));
-            }
-            ofTask.forEach((name, values) -> (values.size() > 1 ? ofMethods : ofTasks)
-                    .computeIfAbsent(name, unused -> new TreeSet<>())
-                    .addAll(values));
+        assertThat(PublishedConfigurations.namesOfMethods())
+                .containsExactly("startingModes", "mmdRate", "multitaskModes", "pacmanMultitaskScheme");
+        assertThat(PublishedConfigurations.namesOfTasks())
+                .containsExactlyInAnyOrder("imprisonedWhileEdible", "removePillsNearPowerPills");
+    }
+
+    @Test
+    void methods_areThoseOfTheCatalogueThatHaveAFile() {
+        assertThat(PublishedConfigurations.METHODS)
+                .isEqualTo(ParameterCatalogue.load().require("method").allowed().choices());
+        assertThat(PublishedConfigurations.methodsOf(TaskVersion.BLENDED))
+                .containsExactly("1M", "2M", "3M", "MMD", "MT2", "MT3");
+        assertThat(PublishedConfigurations.methodsOf(TaskVersion.INTERLEAVED))
+                .containsExactly("1M", "2M", "3M", "MMD", "MT");
+        assertThat(PublishedConfigurations.methodsOf(TaskVersion.ISOLATED))
+                .containsExactly("1M", "2M", "3M", "MMD", "MT");
+    }
+
+    /** The library's presets say the same as the files of the published configurations. */
+    @Test
+    void presetsOfTheTask_areThePublishedConfigurations() {
+        for (MsPacManTaskSettings preset : List.of(
+                MsPacManTaskSettings.blended(),
+                MsPacManTaskSettings.interleaved(),
+                MsPacManTaskSettings.isolated(GhostLocations.shipped()))) {
+            Parameters parameters = read("task=" + preset.version().label(), "method=1M");
+            MsPacManTaskSettings settings =
+                    ((MsPacManTask) Tasks.factory(parameters).get()).settings();
+            assertThat(settings.trials()).isEqualTo(preset.trials());
+            assertThat(settings.deterministic()).isEqualTo(preset.deterministic());
+            assertThat(settings.sensors()).isEqualTo(preset.sensors());
+            assertThat(settings.arbitration()).isEqualTo(preset.arbitration());
+            assertThat(settings.division()).isEqualTo(preset.division());
+            assertThat(settings.ghosts().get()).hasSameClassAs(preset.ghosts().get());
+            assertThat(TrialGame.of(preset.version(), settings.rules()).toString())
+                    .isEqualTo(TrialGame.of(preset.version(), preset.rules()).toString());
         }
-        ofTasks.keySet().removeAll(ofMethods.keySet());
-        ofTasks.values().removeIf(values -> values.size() == 1);
-        ofMethods.remove("method");
-        ofTasks.remove("task");
-        assertThat(PublishedConfigurations.NAMES_OF_METHODS).containsExactlyInAnyOrderElementsOf(ofMethods.keySet());
-        assertThat(PublishedConfigurations.NAMES_OF_TASKS).containsExactlyInAnyOrderElementsOf(ofTasks.keySet());
+    }
+
+    /** However the parameters are written, they are the version and method that they were asked for as. */
+    @Test
+    void versionAndMethod_areReadBackFromTheValues() {
+        for (TaskVersion version : TaskVersion.values()) {
+            for (String method : PublishedConfigurations.methodsOf(version)) {
+                Parameters parameters = read("task=" + version.label(), "method=" + method);
+                assertThat(PublishedTask.version(parameters)).contains(version);
+                assertThat(PublishedTask.version(parameters.values())).contains(version);
+                assertThat(PublishedTask.method(parameters.values())).contains(method);
+            }
+        }
+        assertThat(PublishedTask.version(Map.of("task", "edu.example.MsPacManTask", "imprisonedWhileEdible", "True")))
+                .contains(TaskVersion.INTERLEAVED);
+        assertThat(PublishedTask.version(Map.of("task", "com.example.Xor"))).isEmpty();
+        assertThat(PublishedTask.method(Map.of("mmdRate", "0.1", "startingModes", "2")))
+                .isEmpty();
     }
 
     @Test

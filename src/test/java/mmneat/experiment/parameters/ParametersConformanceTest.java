@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import mmneat.GoldenData;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.TaskVersion;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -103,7 +104,7 @@ class ParametersConformanceTest {
                         .isEqualTo(catalogue
                                 .require(entry.getKey())
                                 .check(entry.getValue().asText().replace("<run>", "7"))));
-                assertThat(TaskKind.of(parameters).label())
+                assertThat(PublishedTask.version(parameters).orElseThrow().label())
                         .isEqualTo(configuration.get("version").asText());
             }
             read++;
@@ -153,7 +154,7 @@ class ParametersConformanceTest {
         assertThat(compared).isGreaterThan(350);
         assertThat(parameters.integer("mu")).isEqualTo(6);
         assertThat(parameters.text("utPath")).isEqualTo("ut\\game");
-        assertThat(TaskKind.of(parameters)).isEqualTo(TaskKind.BLENDED);
+        assertThat(PublishedTask.version(parameters)).contains(TaskVersion.BLENDED);
     }
 
     private static List<String> words(JsonNode parameters, String ofPackage) {

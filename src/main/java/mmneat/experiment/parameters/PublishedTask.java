@@ -1,0 +1,94 @@
+package mmneat.experiment.parameters;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import mmneat.experiment.NearestName;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.TaskVersion;
+
+/** Tells which version of the published task and which method parameters describe, by our names or the original's. */
+public final class PublishedTask {
+
+    private static final String GAME_CLASS = "MsPacManTask";
+    private static final String ISOLATED_CLASS = "MsPacManPillsVsEdibleFromCornersMultitask";
+
+    private PublishedTask() {}
+
+    /**
+     * The version that checked parameters describe.
+     *
+     * @return empty for a task class of the user's own
+     * @throws UserError if the parameters name no task, or contradict each other
+     */
+    public static Optional<TaskVersion> version(Parameters parameters) {
+        String task = parameters.text("task");
+        List<String> published = TaskVersion.labels();
+        if (task.isEmpty()) {
+            throw new UserError("task is missing; give it as task=" + String.join("|", published));
+        }
+        boolean imprisoned = parameters.flag("imprisonedWhileEdible");
+        Optional<TaskVersion> version = named(task, imprisoned);
+        if (published.contains(task)) {
+            if (task.equals(TaskVersion.BLENDED.label()) && imprisoned
+                    || task.equals(TaskVersion.INTERLEAVED.label()) && !imprisoned) {
+                throw new UserError("imprisonedWhileEdible=" + imprisoned + " does not go with task=" + task
+                        + ": it is what makes the difference between blended and interleaved");
+            }
+        } else if (version.isEmpty() && !task.contains(".") && !parameters.isGiven("jar")) {
+            throw new UserError("task=" + task + ": must be one of " + String.join(", ", published)
+                    + ", or the full name of a class of your own" + NearestName.suggestion(task, published));
+        }
+        return version;
+    }
+
+    /**
+     * The version that a run's parameters describe, as far as they say it.
+     *
+     * @param parameters by name, as written in the run's folder; missing ones have their defaults
+     * @return empty for a task class of the user's own, and if no task is named
+     */
+    public static Optional<TaskVersion> version(Map<String, String> parameters) {
+        String task = parameters.getOrDefault("task", "");
+        return named(
+                task.substring(task.lastIndexOf('.') + 1),
+                parameters.getOrDefault("imprisonedWhileEdible", "false").equalsIgnoreCase("true"));
+    }
+
+    private static Optional<TaskVersion> named(String task, boolean imprisoned) {
+        return switch (task) {
+            case GAME_CLASS -> Optional.of(imprisoned ? TaskVersion.INTERLEAVED : TaskVersion.BLENDED);
+            case ISOLATED_CLASS -> Optional.of(TaskVersion.ISOLATED);
+            default -> TaskVersion.labelled(task);
+        };
+    }
+
+    /**
+     * The method that the parameters amount to, whatever they call it.
+     *
+     * @param parameters by name; missing ones have their defaults
+     * @return its short name, such as {@code 2M}; empty for a combination that has none
+     */
+    public static Optional<String> method(Map<String, String> parameters) {
+        int startingModes = Integer.parseInt(parameters.getOrDefault("startingModes", "1"));
+        int multitaskModes = Integer.parseInt(parameters.getOrDefault("multitaskModes", "1"));
+        if (multitaskModes > 1) {
+            return Optional.of(multitask(version(parameters), multitaskModes));
+        }
+        if (Double.parseDouble(parameters.getOrDefault("mmdRate", "0")) > 0) {
+            return startingModes == 1 ? Optional.of("MMD") : Optional.empty();
+        }
+        return Optional.of(startingModes + "M");
+    }
+
+    /**
+     * The method of multitask networks.
+     *
+     * @param version of the task; empty for a task of the user's own
+     * @param modules modules of the networks
+     */
+    public static String multitask(Optional<TaskVersion> version, int modules) {
+        boolean hasOneDivision = version.filter(TaskVersion.BLENDED::equals).isEmpty() && version.isPresent();
+        return hasOneDivision ? "MT" : "MT" + modules;
+    }
+}
