@@ -2,47 +2,123 @@ package mmneat.contest.entry;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import mmneat.contest.entry.ArgumentValues.Argument;
 import mmneat.experiment.UserError;
 import pacman.controllers.Controller;
 
 /**
- * Makes controllers of one class.
+ * Makes controllers of one class, with the constructor that fits the arguments given.
  *
  * @param <T> {@code MOVE} for Ms. Pac-Man, {@code EnumMap<GHOST, MOVE>} for the ghosts
  */
 public final class ControllerFactory<T> {
 
-    private final Class<?> type;
-    private final Constructor<?> constructor;
+    /** A constructor and the values of its parameters. */
+    private record Choice(Constructor<?> constructor, List<Argument> values) {
+        int rank() {
+            return values.stream().mapToInt(Argument::rank).sum();
+        }
+    }
 
-    /** @param type a concrete subclass of {@link Controller} that decides on the right kind of moves */
-    ControllerFactory(Class<?> type) {
+    private final Class<?> type;
+    private final ControllerCall call;
+    private final String origin;
+    private final Choice choice;
+
+    /**
+     * @param type a concrete subclass of {@link Controller} that decides on the right kind of moves
+     * @param origin the jar or folder that the class comes from; empty if it is one of ours
+     */
+    ControllerFactory(Class<?> type, ControllerCall call, String origin, ArgumentValues values) {
         this.type = type;
+        this.call = call;
+        this.origin = origin;
         try {
-            constructor = type.getDeclaredConstructor();
-            constructor.setAccessible(true);
-        } catch (NoSuchMethodException e) {
-            throw new UserError(type.getName() + " has no constructor without arguments; add one", e);
+            choice = choose(values);
+            choice.constructor().setAccessible(true);
         } catch (LinkageError e) {
             throw unusable(e);
         }
     }
 
-    /** The class's name, without its package if it is one of ours. */
+    private Choice choose(ArgumentValues values) {
+        // Of constructors that fit equally well, the first by its text: the order of reflection is none.
+        return Arrays.stream(type.getDeclaredConstructors())
+                .sorted(Comparator.comparing(Constructor::toGenericString))
+                .map(constructor -> fitting(constructor, values))
+                .flatMap(Optional::stream)
+                .min(Comparator.comparingInt(Choice::rank))
+                .orElseThrow(this::noConstructor);
+    }
+
+    private Optional<Choice> fitting(Constructor<?> constructor, ArgumentValues values) {
+        Class<?>[] parameters = constructor.getParameterTypes();
+        if (parameters.length != call.arguments().size()) {
+            return Optional.empty();
+        }
+        List<Argument> arguments = new ArrayList<>();
+        for (int i = 0; i < parameters.length; i++) {
+            Optional<Argument> argument = values.of(call.arguments().get(i), parameters[i]);
+            if (argument.isEmpty()) {
+                return Optional.empty();
+            }
+            arguments.add(argument.get());
+        }
+        return Optional.of(new Choice(constructor, arguments));
+    }
+
+    private UserError noConstructor() {
+        String existing = Arrays.stream(type.getDeclaredConstructors())
+                .map(constructor -> Arrays.stream(constructor.getParameterTypes())
+                        .map(Class::getSimpleName)
+                        .collect(Collectors.joining(", ", type.getSimpleName() + "(", ")")))
+                .sorted()
+                .collect(Collectors.joining(" and "));
+        String wanted =
+                call.arguments().isEmpty() ? "without arguments" : "for (" + String.join(", ", call.arguments()) + ")";
+        return new UserError(type.getName() + " has no constructor " + wanted + "; it has " + existing
+                + ": give numbers, true or false, texts or controllers, as in '" + type.getSimpleName()
+                + "(Legacy,3)', in quotes for the shell");
+    }
+
+    /** The class's name, without its package if it is one of ours, and the arguments if there are any. */
     public String name() {
-        return type.getClassLoader() == Controller.class.getClassLoader() ? type.getSimpleName() : type.getName();
+        String name =
+                type.getClassLoader() == Controller.class.getClassLoader() ? type.getSimpleName() : type.getName();
+        return call.arguments().isEmpty() ? name : name + "(" + String.join(",", call.arguments()) + ")";
+    }
+
+    /** The jar or folder that the class comes from; empty if it comes with this program. */
+    public String origin() {
+        return origin;
     }
 
     /** A new controller. While it is made, its own classes and files are what libraries find by the thread's class loader. */
     @SuppressWarnings("unchecked") // ControllerLoader has looked at the type of the moves.
     public Controller<T> create() {
+        return (Controller<T>) createObject();
+    }
+
+    Object createObject() {
         Thread thread = Thread.currentThread();
         ClassLoader before = thread.getContextClassLoader();
         thread.setContextClassLoader(type.getClassLoader());
         try {
-            return (Controller<T>) constructor.newInstance();
+            return choice.constructor()
+                    .newInstance(choice.values().stream()
+                            .map(argument -> argument.value().get())
+                            .toArray());
         } catch (InvocationTargetException e) {
-            throw new UserError("the constructor of " + type.getName() + " threw " + e.getCause(), e);
+            throw new UserError(
+                    "the constructor of " + type.getName() + " threw " + e.getCause()
+                            + MissingMember.explanation(e.getCause()),
+                    e);
         } catch (InstantiationException | IllegalAccessException e) {
             throw new UserError(type.getName() + " cannot be constructed: " + e, e);
         } catch (ExceptionInInitializerError e) {
@@ -55,7 +131,12 @@ public final class ControllerFactory<T> {
     }
 
     private UserError unusable(LinkageError e) {
-        return new UserError(
-                type.getName() + " cannot be used: " + e + "; is everything it needs on the class path?", e);
+        return new UserError(type.getName() + " cannot be used: " + e + missing(e), e);
+    }
+
+    /** What to do about something that an entry needs and that is not there. */
+    static String missing(LinkageError e) {
+        String explanation = MissingMember.explanation(e);
+        return explanation.isEmpty() ? "; is everything it needs on the class path?" : explanation;
     }
 }

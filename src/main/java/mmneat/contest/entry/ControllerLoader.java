@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 import pacman.controllers.Controller;
@@ -20,7 +21,7 @@ import pacman.game.Game;
 
 /**
  * Finds controllers by class name: first on the class path that the user gives, then among ours. A name without a package
- * is enough where it is unique.
+ * is enough where it is unique. Our skeletons in {@code pacman.entries} never stand in for a class that the class path lacks.
  *
  * <p>Every mistake (no such class, no controller, the wrong kind of moves, no constructor, unreadable file) is a {@link
  * UserError}.
@@ -53,31 +54,83 @@ public final class ControllerLoader {
             "StarterGhosts",
             "VeryRandomLegacy");
 
+    private final String option;
     private final EntryPath classPath;
 
     /** @param classPath jars and class folders of entries; may be empty */
     public ControllerLoader(List<Path> classPath) {
-        this.classPath = new EntryPath(classPath);
+        this("classpath", classPath);
     }
 
-    /** A controller of Ms. Pac-Man. */
-    public ControllerFactory<MOVE> pacMan(String name) {
-        Class<?> type = controller(name, OUR_PAC_MEN);
-        requireMoves(type, MOVE.class, "moves for Ms. Pac-Man (MOVE)");
-        return new ControllerFactory<>(type);
+    /**
+     * @param option name of the option that gives the class path, for messages
+     * @param classPath jars and class folders of entries, the first of which is searched first; may be empty
+     */
+    public ControllerLoader(String option, List<Path> classPath) {
+        this.option = option;
+        this.classPath = new EntryPath(option, classPath);
     }
 
-    /** A ghost team. */
-    public ControllerFactory<EnumMap<GHOST, MOVE>> ghosts(String name) {
-        Class<?> type = controller(name, OUR_GHOSTS);
-        requireMoves(type, Map.class, "moves for the ghosts (EnumMap<GHOST, MOVE>)");
-        return new ControllerFactory<>(type);
+    /**
+     * A controller of Ms. Pac-Man.
+     *
+     * @param call name of a class, and the arguments of its constructor, as in {@code my.Entry(Legacy,3)}
+     */
+    public ControllerFactory<MOVE> pacMan(String call) {
+        return controller(ControllerCall.parse(call), OUR_PAC_MEN, MOVE.class, "moves for Ms. Pac-Man (MOVE)");
     }
 
-    private Class<?> controller(String name, List<String> ours) {
-        Class<?> type;
+    /**
+     * A ghost team.
+     *
+     * @param call name of a class, and the arguments of its constructor
+     */
+    public ControllerFactory<EnumMap<GHOST, MOVE>> ghosts(String call) {
+        return controller(
+                ControllerCall.parse(call), OUR_GHOSTS, Map.class, "moves for the ghosts (EnumMap<GHOST, MOVE>)");
+    }
+
+    private <T> ControllerFactory<T> controller(
+            ControllerCall call, List<String> ours, Class<?> moves, String meaning) {
+        Class<?> type = type(call.name(), ours);
+        if (!Controller.class.isAssignableFrom(type)) {
+            throw new UserError(type.getName() + " is not a controller; it must extend pacman.controllers.Controller");
+        }
+        if (Modifier.isAbstract(type.getModifiers())) {
+            throw new UserError(type.getName() + " is abstract; name a class that extends it");
+        }
+        requireMoves(type, moves, meaning);
+        return factory(type, call);
+    }
+
+    private <T> ControllerFactory<T> factory(Class<?> type, ControllerCall call) {
+        boolean isEntry = type.getClassLoader() instanceof EntryClassLoader;
+        return new ControllerFactory<>(
+                type,
+                call,
+                isEntry ? classPath.placeOf(type.getName()) : "",
+                new ArgumentValues((argument, wanted) -> argument(argument, wanted, type)));
+    }
+
+    /** A controller that is the argument of another's constructor: a class of the same entry, or one of ours. */
+    private Optional<Supplier<?>> argument(String text, Class<?> wanted, Class<?> owner) {
+        ControllerCall call = ControllerCall.read(text).orElse(null);
+        if (call == null) {
+            return Optional.empty();
+        }
+        List<String> matches =
+                owner.getClassLoader() instanceof EntryClassLoader ? classPath.classesNamed(call.name()) : List.of();
+        Optional<Class<?>> type = matches.size() == 1
+                ? Optional.of(((EntryClassLoader) owner.getClassLoader()).load(matches.get(0)))
+                : ours(call.name());
+        return type.filter(wanted::isAssignableFrom)
+                .filter(found -> !Modifier.isAbstract(found.getModifiers()))
+                .map(found -> factory(found, call)::createObject);
+    }
+
+    private Class<?> type(String name, List<String> ours) {
         try {
-            type = find(name, ours);
+            return find(name, ours);
         } catch (UnsupportedClassVersionError e) {
             throw new UserError(
                     name + " was compiled for a newer Java than this one ("
@@ -85,15 +138,8 @@ public final class ControllerLoader {
                             + Runtime.version().feature(),
                     e);
         } catch (LinkageError e) {
-            throw new UserError(name + " cannot be loaded: " + e + "; is everything it needs on the class path?", e);
+            throw new UserError(name + " cannot be loaded: " + e + ControllerFactory.missing(e), e);
         }
-        if (!Controller.class.isAssignableFrom(type)) {
-            throw new UserError(type.getName() + " is not a controller; it must extend pacman.controllers.Controller");
-        }
-        if (Modifier.isAbstract(type.getModifiers())) {
-            throw new UserError(type.getName() + " is abstract; name a class that extends it");
-        }
-        return type;
     }
 
     private Class<?> find(String name, List<String> ours) {
@@ -104,8 +150,13 @@ public final class ControllerLoader {
         return matches.stream()
                 .findFirst()
                 .map(classPath::load)
-                .or(() -> ours(name))
+                .or(() -> ours(name).filter(this::mayStandIn))
                 .orElseThrow(() -> notFound(name, ours));
+    }
+
+    /** Whether a class of ours is meant. Our skeletons have the names of entries: a class path is given to replace them. */
+    private boolean mayStandIn(Class<?> ours) {
+        return classPath.isEmpty() || !EntryClassLoader.isSkeleton(ours.getName());
     }
 
     private static Optional<Class<?>> ours(String name) {
@@ -133,7 +184,8 @@ public final class ControllerLoader {
                             : suggestion));
         }
         if (suggestion.isEmpty() && name.contains(".")) {
-            return new UserError("there is no class '" + name + "'; give its jar or class folder as classpath=FILE");
+            return new UserError(
+                    "there is no class '" + name + "'; give its jar or class folder as " + option + "=FILE");
         }
         return new UserError("there is no controller '" + name + "'"
                 + (suggestion.isEmpty() ? "; known: " + String.join(", ", ours) : suggestion));

@@ -5,8 +5,11 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.security.CodeSource;
+import java.security.cert.Certificate;
 import java.util.Optional;
 import org.objectweb.asm.ClassReader;
+import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.commons.ClassRemapper;
@@ -26,6 +29,8 @@ import pacman.controllers.Controller;
  * below it that we have too are renamed in the entry's byte code as it is loaded. (By ASM, the library that the JDK and
  * most build tools use for this; it is small, and follows every Java version.) Names inside strings, as for {@code
  * Class.forName}, are not renamed.
+ *
+ * <p>Calls that end the program become errors of the controller: {@link ExitCalls}.
  */
 final class EntryClassLoader extends URLClassLoader {
 
@@ -54,9 +59,19 @@ final class EntryClassLoader extends URLClassLoader {
         return ourPackage && OURS.getResource(fileOf(className)) != null;
     }
 
+    /** Whether a class is one of our skeletons, whose names entries have too. */
+    static boolean isSkeleton(String className) {
+        return className.startsWith(ENTRIES);
+    }
+
     Class<?> loadEntry() {
+        return load(entryName);
+    }
+
+    /** Another class of the entry. */
+    Class<?> load(String className) {
         try {
-            return loadClass(entryName);
+            return loadClass(className);
         } catch (ClassNotFoundException e) {
             throw new NoClassDefFoundError(e.getMessage());
         }
@@ -101,14 +116,27 @@ final class EntryClassLoader extends URLClassLoader {
 
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
-        if (expectedApi.equals(API)) {
+        ClassReader original = header(name).orElse(null);
+        boolean isRenamed = !expectedApi.equals(API);
+        if (original == null || !isRenamed && !ExitCalls.areIn(original)) {
             return super.findClass(name);
         }
-        byte[] original = classFile(name).orElseThrow(() -> new ClassNotFoundException(name));
-        ClassWriter renamed = new ClassWriter(0);
-        new ClassReader(original).accept(new ClassRemapper(renamed, new ToOurs()), 0);
-        byte[] bytes = renamed.toByteArray();
-        return defineClass(name, bytes, 0, bytes.length);
+        ClassWriter changed = new ClassWriter(0);
+        ClassVisitor exitCalls = new ExitCalls(changed);
+        original.accept(isRenamed ? new ClassRemapper(exitCalls, new ToOurs()) : exitCalls, 0);
+        byte[] bytes = changed.toByteArray();
+        return defineClass(name, bytes, 0, bytes.length, new CodeSource(placeOf(name), (Certificate[]) null));
+    }
+
+    /** The jar or folder of a class, which an entry may ask for to find its files. */
+    private URL placeOf(String className) {
+        String resource = findResource(fileOf(className)).toString();
+        for (URL place : getURLs()) {
+            if (resource.startsWith(place.toString()) || resource.startsWith("jar:" + place)) {
+                return place;
+            }
+        }
+        return null;
     }
 
     /** Renames what we have too; the entry's own classes keep their names. */

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.TreeSet;
+import java.util.TreeMap;
 import java.util.jar.JarFile;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -20,24 +20,20 @@ final class EntryPath {
 
     private static final String CLASS_FILE = ".class";
 
+    private final String option;
     private final List<Path> places;
-    private final URL[] urls;
 
-    /** Names of all classes found, in order. */
-    private final TreeSet<String> classNames = new TreeSet<>();
+    /** The places of all classes found, by class name. */
+    private final TreeMap<String, List<Path>> placesOfClasses = new TreeMap<>();
 
-    EntryPath(List<Path> places) {
-        this.places = places;
-        List<URL> urls = new ArrayList<>();
-        for (Path place : places) {
-            classNames.addAll(classesIn(place));
-            try {
-                urls.add(place.toUri().toURL());
-            } catch (MalformedURLException e) {
-                throw new UserError("classpath: cannot use " + place + ": " + e.getMessage(), e);
+    EntryPath(String option, List<Path> places) {
+        this.option = option;
+        this.places = places.stream().distinct().toList();
+        for (Path place : this.places) {
+            for (String name : classesIn(place)) {
+                placesOfClasses.computeIfAbsent(name, none -> new ArrayList<>()).add(place);
             }
         }
-        this.urls = urls.toArray(URL[]::new);
     }
 
     boolean isEmpty() {
@@ -49,7 +45,7 @@ final class EntryPath {
      * the package, or without the class around them, is it. Copies of our own interface and examples do not count.
      */
     List<String> classesNamed(String name) {
-        List<String> candidates = classNames.stream()
+        List<String> candidates = placesOfClasses.keySet().stream()
                 .filter(found -> !EntryClassLoader.isOurs(found))
                 .toList();
         return candidates.contains(name)
@@ -59,16 +55,48 @@ final class EntryPath {
                         .toList();
     }
 
-    /** Loads a class of this path, in a class loader of its own. */
+    /**
+     * Loads a class of this path, in a class loader of its own. What else the class needs is looked for beside it first: other
+     * entries may have classes of the same names.
+     *
+     * @throws UserError if the class is in several places
+     */
     Class<?> load(String className) {
-        return new EntryClassLoader(urls, className).loadEntry();
+        List<Path> holders = placesOfClasses.get(className);
+        if (holders.size() > 1) {
+            throw new UserError("'" + className + "' is in "
+                    + holders.stream().map(Path::toString).collect(Collectors.joining(" and in "))
+                    + "; give each side a class path of its own, pacmanClasspath= and ghostsClasspath=");
+        }
+        return loader(className).loadEntry();
+    }
+
+    /** The jar or folder that holds a class of this path. */
+    String placeOf(String className) {
+        return placesOfClasses.get(className).get(0).toString();
+    }
+
+    private EntryClassLoader loader(String className) {
+        Path own = placesOfClasses.get(className).get(0);
+        URL[] urls = Stream.concat(Stream.of(own), places.stream().filter(place -> !place.equals(own)))
+                .map(this::url)
+                .toArray(URL[]::new);
+        return new EntryClassLoader(urls, className);
+    }
+
+    private URL url(Path place) {
+        try {
+            return place.toUri().toURL();
+        } catch (MalformedURLException e) {
+            throw new UserError(option + ": cannot use " + place + ": " + e.getMessage(), e);
+        }
     }
 
     /** The classes on this path that extend our Controller, in order. */
     List<String> controllerNames() {
-        return classNames.stream()
+        return placesOfClasses.keySet().stream()
                 .filter(name -> !EntryClassLoader.isOurs(name))
-                .filter(name -> new EntryClassLoader(urls, name).isController())
+                .filter(name -> loader(name).isController())
                 .toList();
     }
 
@@ -82,14 +110,14 @@ final class EntryPath {
         return className.substring(Math.max(className.lastIndexOf('.'), className.lastIndexOf('$')) + 1);
     }
 
-    private static List<String> classesIn(Path place) {
+    private List<String> classesIn(Path place) {
         if (!Files.exists(place)) {
-            throw new UserError("classpath: there is no file or folder " + place);
+            throw new UserError(option + ": there is no file or folder " + place);
         }
         try {
             return Files.isDirectory(place) ? classesInFolder(place) : classesInJar(place);
         } catch (IOException e) {
-            throw new UserError("classpath: " + place + " is not a readable jar or class folder: " + e.getMessage(), e);
+            throw new UserError(option + ": " + place + " is not a readable jar or class folder: " + e.getMessage(), e);
         }
     }
 

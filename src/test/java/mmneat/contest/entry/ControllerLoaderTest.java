@@ -261,7 +261,8 @@ class ControllerLoaderTest {
         ControllerLoader loader = new ControllerLoader(List.of(classes));
         assertThatThrownBy(() -> loader.pacMan("NeedsArgument"))
                 .isInstanceOf(UserError.class)
-                .hasMessage("NeedsArgument has no constructor without arguments; add one");
+                .hasMessageStartingWith(
+                        "NeedsArgument has no constructor without arguments; it has NeedsArgument(int): give numbers");
         assertThatThrownBy(() -> loader.pacMan("Throws").create())
                 .hasMessage("the constructor of Throws threw java.lang.IllegalStateException: no file");
         assertThatThrownBy(() -> loader.pacMan("Missing").create())
@@ -284,5 +285,145 @@ class ControllerLoaderTest {
         assertThatThrownBy(() -> new ControllerLoader(List.of(classes)).pacMan("Entry"))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("Entry");
+    }
+
+    private static final String DECIDES =
+            " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) { return null; }"
+                    + " public String toString() { return text; } }";
+
+    private static final String HEAD =
+            " extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {" + " private final String text; ";
+
+    private Object made(Path classes, String call) {
+        return new ControllerLoader(List.of(classes)).pacMan(call).create();
+    }
+
+    @Test
+    void constructorsWithArguments_areCalled() throws IOException {
+        Path classes = compiled(
+                "public class Takes" + HEAD
+                        + "public Takes(pacman.controllers.Controller<?> other, double weight)"
+                        + " { text = other.getClass().getSimpleName() + weight; }"
+                        + "public Takes(int number) { text = \"int \" + number; }"
+                        + "public Takes(Long number) { text = \"long \" + number; }"
+                        + "public Takes(boolean flag) { text = \"flag \" + flag; }"
+                        + "public Takes(String word) { text = \"word \" + word; }"
+                        + "public Takes(pacman.game.Constants.GHOST ghost, char letter) { text = ghost.name() + letter; }"
+                        + "public Takes(Base base) { text = \"own \" + base; }"
+                        + "public Takes() { text = \"nothing\"; }"
+                        + DECIDES,
+                "public class Base" + HEAD + "public Base(int size) { text = \"base \" + size; }" + DECIDES);
+        assertThat(made(classes, "Takes(Legacy, 0.5)")).hasToString("Legacy0.5");
+        assertThat(made(classes, "Takes( pacman.controllers.examples.StarterGhosts ,2)"))
+                .hasToString("StarterGhosts2.0");
+        assertThat(made(classes, "Takes(7)")).hasToString("int 7");
+        assertThat(made(classes, "Takes(70000000000)")).hasToString("long 70000000000");
+        assertThat(made(classes, "Takes(true)")).hasToString("flag true");
+        assertThat(made(classes, "Takes(weights.txt)")).hasToString("word weights.txt");
+        assertThat(made(classes, "Takes('a, (b')")).hasToString("word a, (b");
+        assertThat(made(classes, "Takes(SUE,x)")).hasToString("SUEx");
+        assertThat(made(classes, "Takes(Base(3))")).hasToString("own base 3");
+        assertThat(made(classes, "Takes()")).hasToString("nothing");
+        assertThat(new ControllerLoader(List.of(classes))
+                        .pacMan("Takes(Base( 3 ))")
+                        .name())
+                .isEqualTo("Takes(Base( 3 ))");
+        Controller<MOVE> first =
+                new ControllerLoader(List.of(classes)).pacMan("Takes(Base(3))").create();
+        assertThat(first.getClass().getClassLoader()).isNotEqualTo(Controller.class.getClassLoader());
+        assertThatThrownBy(() -> made(classes, "Takes(1,2,3)"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("has no constructor for (1, 2, 3); it has Takes()")
+                .hasMessageContaining("Takes(Controller, double)");
+        for (String call : List.of("Takes(1", "Takes)", "Takes('a)", "(1)", "Takes(1))")) {
+            assertThatThrownBy(() -> made(classes, call)).isInstanceOf(UserError.class);
+        }
+    }
+
+    @Test
+    void skeletonOfOurs_neverStandsInForAClassThatTheClassPathLacks() throws IOException {
+        Path empty = Files.createDirectories(folder.resolve("empty"));
+        ControllerLoader loader = new ControllerLoader(List.of(empty));
+        for (String name : List.of("pacman.entries.pacman.MyPacMan", "MyPacMan")) {
+            assertThatThrownBy(() -> loader.pacMan(name))
+                    .isInstanceOf(UserError.class)
+                    .hasMessageStartingWith("there is no class '" + name + "' in " + empty);
+        }
+        assertThatThrownBy(() -> loader.ghosts("MyGhosts")).hasMessageContaining("there is no class 'MyGhosts'");
+        assertThat(loader.ghosts("Legacy").origin()).isEmpty();
+    }
+
+    @Test
+    void entriesWithEqualClassNames_useTheirOwnHelpers() throws IOException {
+        List<Path> jars = new java.util.ArrayList<>();
+        for (String team : List.of("red", "blue")) {
+            Path place = Files.createDirectories(folder.resolve(team));
+            Path classes = CompiledClasses.compile(
+                    place,
+                    OUR_CLASSES,
+                    "package " + team + "; public class Entry" + HEAD + "public Entry() { text = util.Helper.NAME; }"
+                            + DECIDES,
+                    "package same; public class Entry" + HEAD + "public Entry() { text = util.Helper.NAME; }" + DECIDES,
+                    "package util; public class Helper { public static final String NAME = \"" + team
+                            + "\".toString(); }");
+            jars.add(CompiledClasses.jar(classes, folder.resolve(team + ".jar")));
+        }
+        ControllerLoader both = new ControllerLoader(jars);
+        assertThat(both.pacMan("red.Entry").create()).hasToString("red");
+        assertThat(both.pacMan("blue.Entry").create()).hasToString("blue");
+        assertThat(both.pacMan("blue.Entry").origin()).isEqualTo(jars.get(1).toString());
+        assertThatThrownBy(() -> both.pacMan("same.Entry"))
+                .isInstanceOf(UserError.class)
+                .hasMessage("'same.Entry' is in " + jars.get(0) + " and in " + jars.get(1)
+                        + "; give each side a class path of its own, pacmanClasspath= and ghostsClasspath=");
+        assertThat(new ControllerLoader(List.of(jars.get(1)))
+                        .pacMan("same.Entry")
+                        .create())
+                .hasToString("blue");
+    }
+
+    @Test
+    void entryThatEndsTheProgram_failsInstead_andKeepsItsPlace() throws IOException {
+        for (String end : List.of("System.exit(0)", "Runtime.getRuntime().halt(0)", "Runtime.getRuntime().exit(3)")) {
+            Path classes = CompiledClasses.compile(
+                    Files.createTempDirectory(folder, "end"),
+                    OUR_CLASSES,
+                    "public class Leaves extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                            + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) { " + end
+                            + "; return null; } }");
+            Controller<MOVE> entry =
+                    new ControllerLoader(List.of(classes)).pacMan("Leaves").create();
+            assertThatThrownBy(() -> entry.getMove(new Game(0), 0))
+                    .isInstanceOf(ControllerExit.class)
+                    .hasMessageContaining(end.replace("Runtime.getRuntime()", "Runtime"));
+            assertThat(entry.getClass().getProtectionDomain().getCodeSource().getLocation())
+                    .isEqualTo(classes.toUri().toURL());
+        }
+    }
+
+    @Test
+    void memberThatTheCompetitionNeverHad_isSaidToBeOne() throws IOException {
+        Path other = CompiledClasses.compile(
+                Files.createTempDirectory(folder, "api"),
+                OUR_CLASSES,
+                "package pacman.game.info; public class Extra { public static int size() { return 1; } }");
+        Path classes = CompiledClasses.compile(
+                folder,
+                OUR_CLASSES + java.io.File.pathSeparator + other,
+                "public class Early extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " private int size = pacman.game.info.Extra.size();"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) { return null; } }");
+        assertThatThrownBy(() -> made(classes, "Early"))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("release 6.2 of the competition never had this class");
+        assertThat(MissingMember.explanation(new NoSuchMethodError("'int pacman.game.Game.getThing()'")))
+                .contains("never had this member");
+        assertThat(MissingMember.explanation(new NoSuchFieldError("THING"))).contains("never had this member");
+        assertThat(MissingMember.explanation(new NoSuchMethodError("'int my.Library.size()'")))
+                .isEmpty();
+        assertThat(MissingMember.explanation(new NoClassDefFoundError("pacman/entries/pacman/Mine")))
+                .isEmpty();
+        assertThat(MissingMember.explanation(new IllegalStateException("pacman.game")))
+                .isEmpty();
     }
 }
