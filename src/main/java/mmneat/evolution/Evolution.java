@@ -2,17 +2,19 @@ package mmneat.evolution;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.variation.Offspring;
 import mmneat.neat.variation.Reproduction;
+import mmneat.nsga2.Crowding;
 import mmneat.nsga2.SurvivorSelection;
 import mmneat.nsga2.Variation;
 import mmneat.random.ResumableRandom;
 
 /**
- * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II.
+ * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II, on request with the objectives that TUG chooses.
  *
  * <p>Parents are evaluated anew in every generation: a score is never carried over, so the scheme is elitist only with respect to
  * the current generation's noisy scores. After the last generation the final parents are evaluated once more.
@@ -30,11 +32,13 @@ public final class Evolution {
     private final Variation<Genotype, Offspring> variation;
     private List<Genotype> population;
     private int generation;
+    private TugState tug;
 
     /**
      * An evolution that continues from a state; a new one begins in {@link EvolutionState#initial}.
      *
-     * @throws IllegalArgumentException if the state has another population size than the settings
+     * @throws IllegalArgumentException if the state has another population size than the settings, or goals that do not fit
+     *     them
      */
     public Evolution(
             EvolutionSettings settings, EvolutionState state, Evaluator evaluator, EvolutionObserver observer) {
@@ -50,6 +54,8 @@ public final class Evolution {
         variation = new ReproductionVariation(new Reproduction(settings.variation(), pool));
         population = state.population();
         generation = state.generation();
+        tug = state.tug();
+        settings.tug().ifPresent(policy -> policy.requireFitting(tug));
     }
 
     /**
@@ -72,12 +78,14 @@ public final class Evolution {
     private void runGeneration() {
         int total = 2 * settings.populationSize();
         List<Individual> parents = evaluate(population, 0, total);
+        Optional<TugStep> tugStep = settings.tug().map(policy -> policy.step(tug, generation, objectives(parents)));
+        tugStep.ifPresent(step -> tug = step.after());
         List<Offspring> offspring = reproduce(parents);
         List<Individual> children =
                 evaluate(offspring.stream().map(Offspring::genotype).toList(), parents.size(), total);
         // The archetype's size is recorded before cleaning: it includes the neurons of children that will not survive.
         Generation completed = new Generation(
-                generation, parents, offspring, children, pool.archetype().size());
+                generation, parents, offspring, children, pool.archetype().size(), tugStep);
 
         population = survivors(parents, children);
         generation++;
@@ -101,7 +109,7 @@ public final class Evolution {
         return settings.parentSelection()
                 .children(
                         parents.stream().map(Individual::genotype).toList(),
-                        objectives(parents),
+                        selectionScores(parents),
                         generation == 0,
                         settings.populationSize(),
                         variation,
@@ -111,11 +119,20 @@ public final class Evolution {
     private List<Genotype> survivors(List<Individual> parents, List<Individual> children) {
         List<Individual> all =
                 Stream.concat(parents.stream(), children.stream()).toList();
-        int[] survivors = SurvivorSelection.survivors(
-                objectives(all),
-                settings.populationSize(),
-                settings.parentSelection().crowding());
+        int count = settings.populationSize();
+        Crowding crowding = settings.parentSelection().crowding();
+        double[][] scores = objectives(all);
+        int[] survivors = settings.tug()
+                .map(policy -> policy.survivors(tug, generation, scores, count, crowding))
+                .orElseGet(() -> SurvivorSelection.survivors(scores, count, crowding));
         return Arrays.stream(survivors).mapToObj(i -> all.get(i).genotype()).toList();
+    }
+
+    private double[][] selectionScores(List<Individual> individuals) {
+        double[][] scores = objectives(individuals);
+        return settings.tug()
+                .map(policy -> policy.activeScores(tug, generation, scores))
+                .orElse(scores);
     }
 
     private static double[][] objectives(List<Individual> individuals) {
@@ -125,7 +142,7 @@ public final class Evolution {
     }
 
     private EvolutionState state() {
-        return new EvolutionState(generation, population, pool.state(), random.state());
+        return new EvolutionState(generation, population, pool.state(), random.state(), tug);
     }
 
     /** NEAT's variation as NSGA-II asks for it. */

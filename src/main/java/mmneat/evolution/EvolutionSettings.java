@@ -1,6 +1,7 @@
 package mmneat.evolution;
 
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalInt;
 import mmneat.neat.variation.InitialNetworks;
 import mmneat.neat.variation.VariationSettings;
@@ -19,6 +20,7 @@ import mmneat.nsga2.ParentSelection;
  * @param initialNetworks the networks that evolution starts from
  * @param parentSelection how parents are chosen, and how survivors' crowding is measured
  * @param variation how offspring differ from their parents
+ * @param tug the policy that leaves objectives out of selection, if there is one ({@code ea})
  */
 public record EvolutionSettings(
         long seed,
@@ -28,7 +30,8 @@ public record EvolutionSettings(
         int cleanFrequency,
         InitialNetworks initialNetworks,
         ParentSelection parentSelection,
-        VariationSettings variation) {
+        VariationSettings variation,
+        Optional<Tug> tug) {
 
     /**
      * Checked settings.
@@ -44,6 +47,29 @@ public record EvolutionSettings(
         Objects.requireNonNull(initialNetworks, "initialNetworks");
         Objects.requireNonNull(parentSelection, "parentSelection");
         Objects.requireNonNull(variation, "variation");
+        Objects.requireNonNull(tug, "tug");
+    }
+
+    /** Settings with which selection always uses all objectives. */
+    public EvolutionSettings(
+            long seed,
+            OptionalInt initialPopulationSeed,
+            int populationSize,
+            int generations,
+            int cleanFrequency,
+            InitialNetworks initialNetworks,
+            ParentSelection parentSelection,
+            VariationSettings variation) {
+        this(
+                seed,
+                initialPopulationSeed,
+                populationSize,
+                generations,
+                cleanFrequency,
+                initialNetworks,
+                parentSelection,
+                variation,
+                Optional.empty());
     }
 
     private static void requireAtLeast(int least, String name, int value) {

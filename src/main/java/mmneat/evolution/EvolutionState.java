@@ -14,9 +14,10 @@ import mmneat.random.ResumableRandom;
  * @param population its parents, in the order in which they will be evaluated
  * @param pool counters and archetype
  * @param random the generator
+ * @param tug the goals of TUG; null if the run does not use it
  */
 public record EvolutionState(
-        int generation, List<Genotype> population, GenePool.State pool, ResumableRandom.State random) {
+        int generation, List<Genotype> population, GenePool.State pool, ResumableRandom.State random, TugState tug) {
 
     /** Id that the original gives to the network by which the archetype is made. */
     private static final long EXAMPLE_ID = -1;
@@ -55,6 +56,11 @@ public record EvolutionState(
         List<Genotype> population =
                 settings.initialNetworks().createPopulation(settings.populationSize(), pool, random);
         random.setSeed(settings.seed());
-        return new EvolutionState(0, population, pool.state(), random.state());
+        return new EvolutionState(
+                0,
+                population,
+                pool.state(),
+                random.state(),
+                settings.tug().map(Tug::initial).orElse(null));
     }
 }

@@ -2,6 +2,7 @@ package mmneat.evolution;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import mmneat.neat.variation.Offspring;
 
@@ -14,9 +15,15 @@ import mmneat.neat.variation.Offspring;
  *     evaluated
  * @param children the children after their evaluation, in the order of {@code offspring}
  * @param archetypeSize entries of the archetype when the children had been made
+ * @param tug what TUG did, if the run uses it and children were made
  */
 public record Generation(
-        int number, List<Individual> parents, List<Offspring> offspring, List<Individual> children, int archetypeSize) {
+        int number,
+        List<Individual> parents,
+        List<Offspring> offspring,
+        List<Individual> children,
+        int archetypeSize,
+        Optional<TugStep> tug) {
 
     /**
      * A generation with copies of the lists.
@@ -31,10 +38,21 @@ public record Generation(
         parents = List.copyOf(Objects.requireNonNull(parents, "parents"));
         offspring = List.copyOf(Objects.requireNonNull(offspring, "offspring"));
         children = List.copyOf(Objects.requireNonNull(children, "children"));
+        Objects.requireNonNull(tug, "tug");
         if (offspring.size() != children.size()) {
             throw new IllegalArgumentException(
                     "there are " + offspring.size() + " offspring but " + children.size() + " children evaluated");
         }
+    }
+
+    /** A generation without TUG. */
+    public Generation(
+            int number,
+            List<Individual> parents,
+            List<Offspring> offspring,
+            List<Individual> children,
+            int archetypeSize) {
+        this(number, parents, offspring, children, archetypeSize, Optional.empty());
     }
 
     /**

@@ -4,8 +4,8 @@ import java.util.EnumMap;
 import java.util.List;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.Evaluation.Outcomes;
+import mmneat.evolution.ScoreStatistic;
 import mmneat.evolution.Task;
-import mmneat.evolution.TrialStatistic;
 import mmneat.mspacman.objectives.GameScore;
 import mmneat.mspacman.objectives.RecordedScore;
 import mmneat.mspacman.sensors.NetworkInputs;
@@ -139,7 +139,7 @@ public final class MsPacManTask implements Task {
             }
         }
         return new Evaluation(
-                aggregate(trialObjectives, i -> TrialStatistic.AVERAGE),
+                aggregate(trialObjectives, i -> ScoreStatistic.AVERAGE),
                 aggregate(trialOthers, i -> others.get(i).statistic()),
                 player.rememberedModuleUsage(),
                 outcomes);
@@ -240,7 +240,7 @@ public final class MsPacManTask implements Task {
         return column;
     }
 
-    private static double[] aggregate(double[][] scores, java.util.function.IntFunction<TrialStatistic> statistic) {
+    private static double[] aggregate(double[][] scores, java.util.function.IntFunction<ScoreStatistic> statistic) {
         double[] aggregated = new double[scores.length];
         for (int i = 0; i < scores.length; i++) {
             aggregated[i] = statistic.apply(i).of(scores[i]);

@@ -251,10 +251,10 @@ class EvolutionTest {
         assertThatThrownBy(() -> new Evolution(six, four, new SequentialEvaluator(task), new Recording()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("mu is 6, the state has a population of 4");
-        assertThatThrownBy(() -> new EvolutionState(0, List.of(), four.pool(), four.random()))
+        assertThatThrownBy(() -> new EvolutionState(0, List.of(), four.pool(), four.random(), null))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("population must not be empty");
-        assertThatThrownBy(() -> new EvolutionState(0, null, four.pool(), four.random()))
+        assertThatThrownBy(() -> new EvolutionState(0, null, four.pool(), four.random(), null))
                 .hasMessage("population");
     }
 

@@ -35,37 +35,53 @@ class StatisticsTest {
 
     @Test
     void average_isTheRunningMean_toTheLastBit() {
-        assertThat(TrialStatistic.AVERAGE.of(1, 0, 0)).isEqualTo(1 + (0 - 1.0) / 2 + (0 - 0.5) / 3);
+        assertThat(ScoreStatistic.AVERAGE.of(1, 0, 0)).isEqualTo(1 + (0 - 1.0) / 2 + (0 - 0.5) / 3);
         double[] thirds = {0.1, 0.2, 0.3, 0.7, 0.9, 1.1, 1.3};
         double mean = 0;
         for (int i = 0; i < thirds.length; i++) {
             mean += (thirds[i] - mean) / (i + 1);
         }
-        assertThat(TrialStatistic.AVERAGE.of(thirds)).isEqualTo(mean);
+        assertThat(ScoreStatistic.AVERAGE.of(thirds)).isEqualTo(mean);
     }
 
     @Test
     void mode_isTheMostFrequent_tiesGoToTheLarger() {
-        assertThat(TrialStatistic.MODE.of(2, 1, 2, 3)).isEqualTo(2);
-        assertThat(TrialStatistic.MODE.of(1, 2, 2, 1, 3)).isEqualTo(2);
-        assertThat(TrialStatistic.MODE.of(4)).isEqualTo(4);
+        assertThat(ScoreStatistic.MODE.of(2, 1, 2, 3)).isEqualTo(2);
+        assertThat(ScoreStatistic.MODE.of(1, 2, 2, 1, 3)).isEqualTo(2);
+        assertThat(ScoreStatistic.MODE.of(4)).isEqualTo(4);
     }
 
     @Test
     void mode_countsNeighboursAsTheFirstOfTheirGroup() {
-        assertThat(TrialStatistic.MODE.of(1.0009, 1, 1.0005, 5, 5)).isEqualTo(1);
-        assertThat(TrialStatistic.MODE.of(1.002, 1, 1.0025)).isEqualTo(1.002);
+        assertThat(ScoreStatistic.MODE.of(1.0009, 1, 1.0005, 5, 5)).isEqualTo(1);
+        assertThat(ScoreStatistic.MODE.of(1.002, 1, 1.0025)).isEqualTo(1.002);
     }
 
     @Test
     void mode_valueExactlyAThousandthAbove_isAGroupOfItsOwn() {
-        assertThat(TrialStatistic.MODE.of(0, 0.001)).isEqualTo(0.001);
-        assertThat(TrialStatistic.MODE.of(0, Math.nextDown(0.001))).isZero();
+        assertThat(ScoreStatistic.MODE.of(0, 0.001)).isEqualTo(0.001);
+        assertThat(ScoreStatistic.MODE.of(0, Math.nextDown(0.001))).isZero();
+    }
+
+    @Test
+    void medianAndUpperQuartile_interpolateBetweenNeighbours() {
+        assertThat(ScoreStatistic.MEDIAN.of(3, 1, 2)).isEqualTo(2);
+        assertThat(ScoreStatistic.MEDIAN.of(4, 1, 3, 2)).isEqualTo(2.5);
+        assertThat(ScoreStatistic.UPPER_QUARTILE.of(7)).isEqualTo(7);
+        assertThat(ScoreStatistic.UPPER_QUARTILE.of(1, 9))
+                .as("position 2.25 of 2")
+                .isEqualTo(9);
+        assertThat(ScoreStatistic.UPPER_QUARTILE.of(5, 1, 2, 4, 3, 6))
+                .as("position 5.25")
+                .isEqualTo(5.25);
+        assertThat(ScoreStatistic.MIN.of(-3, -1, -2)).isEqualTo(-3);
+        assertThat(ScoreStatistic.named("UpperQuartile")).isEqualTo(ScoreStatistic.UPPER_QUARTILE);
+        assertThatThrownBy(() -> ScoreStatistic.named("Mean")).hasMessage("no statistic is called Mean");
     }
 
     @Test
     void max_isTheLargest() {
-        assertThat(TrialStatistic.MAX.of(-3, -1, -2)).isEqualTo(-1);
+        assertThat(ScoreStatistic.MAX.of(-3, -1, -2)).isEqualTo(-1);
     }
 
     @Test
@@ -79,7 +95,7 @@ class StatisticsTest {
         assertThatThrownBy(SampleStatistics::of)
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("no values to describe");
-        for (TrialStatistic statistic : TrialStatistic.values()) {
+        for (ScoreStatistic statistic : ScoreStatistic.values()) {
             assertThatThrownBy(statistic::of)
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessageStartingWith("no values to ");

@@ -71,6 +71,9 @@ public final class RunFiles implements EvolutionObserver {
             if (choice.moduleCounts) {
                 folder.write(ModuleCountLog.plotFile(prefix), ModuleCountLog.plotScript(prefix));
             }
+            if (initial.tug() != null) {
+                folder.write(TugLog.plotFile(prefix), TugLog.plotScript(prefix, parentsLog.labels()));
+            }
         }
         writeNewestNetworks(initial);
     }
@@ -102,6 +105,10 @@ public final class RunFiles implements EvolutionObserver {
                     .toList();
             log(performanceLog, generation.number(), EvaluationCosts.of(everybody, task.trials()));
             logOffspring(generation);
+            generation
+                    .tug()
+                    .ifPresent(
+                            step -> folder.append(TugLog.file(folder.prefix()), TugLog.row(generation.number(), step)));
         }
         if (choice.networks) {
             writeChampion(generation.champion(task));

@@ -1,10 +1,12 @@
 package mmneat.experiment.parameters;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Stream;
 import mmneat.evolution.EvolutionSettings;
 import mmneat.evolution.Task;
+import mmneat.evolution.Tug;
 import mmneat.experiment.UserError;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.ModuleLayout;
@@ -51,11 +53,17 @@ public record EvolutionParameters(
         int disabledMode) {
 
     /**
-     * The settings for a task.
+     * The settings that parameters mean for a task.
      *
      * @throws UserError if the parameters do not go with the task
      */
-    public EvolutionSettings settings(Task task) {
+    public static EvolutionSettings settings(Parameters parameters, Task task) {
+        return parameters
+                .as(EvolutionParameters.class)
+                .settings(task, parameters.as(TugParameters.class).tug(task));
+    }
+
+    private EvolutionSettings settings(Task task, Optional<Tug> tug) {
         if (fs && fsLinksPerOut > task.inputs()) {
             throw new UserError("fsLinksPerOut=" + fsLinksPerOut + ": the networks have " + task.inputs()
                     + " inputs; give at most as many");
@@ -76,7 +84,8 @@ public record EvolutionParameters(
                         crossExcessRate,
                         deleteLeastUsed,
                         selection,
-                        activation));
+                        activation),
+                tug);
     }
 
     private static Crowding crowdingOf(String crowding) {

@@ -70,6 +70,14 @@ public final class ParameterReader {
             remarkOnGame(commandLine, parameters, remarks);
         }
         parameters.as(EvolutionParameters.class).requireConsistent();
+        if (!parameters.as(TugParameters.class).isChosen()) {
+            List<String> idle = TugParameters.names().stream()
+                    .filter(commandLine::containsKey)
+                    .toList();
+            if (!idle.isEmpty()) {
+                remarks.add("no effect without ea=TUGNSGA2: " + String.join(", ", idle));
+            }
+        }
         return new Result(parameters, List.copyOf(remarks));
     }
 

@@ -55,11 +55,8 @@ public final class ExperimentRunner {
         monitors = plan.runs().stream()
                 .map(run -> new RunMonitor(run, System::nanoTime))
                 .toList();
-        plan.runs()
-                .get(0)
-                .parameters()
-                .as(EvolutionParameters.class)
-                .settings(tasks.get(0).get());
+        EvolutionParameters.settings(
+                plan.runs().get(0).parameters(), tasks.get(0).get());
         for (RunPlan run : plan.runs()) {
             requireContinuable(run);
         }

@@ -134,8 +134,7 @@ final class RunWorker {
             parametersFile.requireSame(run.parameters());
         }
         Task task = tasks.get();
-        EvolutionSettings settings =
-                run.parameters().as(EvolutionParameters.class).settings(task);
+        EvolutionSettings settings = EvolutionParameters.settings(run.parameters(), task);
         RunFolder folder = new RunFolder(run.directory(), run.prefix());
         RunFiles files = new RunFiles(folder, task, files(settings));
         CheckpointFile checkpoint = new CheckpointFile(run.directory());

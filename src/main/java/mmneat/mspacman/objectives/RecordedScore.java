@@ -1,12 +1,12 @@
 package mmneat.mspacman.objectives;
 
-import static mmneat.evolution.TrialStatistic.AVERAGE;
-import static mmneat.evolution.TrialStatistic.MAX;
-import static mmneat.evolution.TrialStatistic.MODE;
+import static mmneat.evolution.ScoreStatistic.AVERAGE;
+import static mmneat.evolution.ScoreStatistic.MAX;
+import static mmneat.evolution.ScoreStatistic.MODE;
 
 import java.util.ArrayList;
 import java.util.List;
-import mmneat.evolution.TrialStatistic;
+import mmneat.evolution.ScoreStatistic;
 import pacman.game.GameRules;
 
 /**
@@ -17,7 +17,7 @@ import pacman.game.GameRules;
  * @param score what is recorded of each trial
  * @param statistic how trials become one number
  */
-public record RecordedScore(GameScore score, TrialStatistic statistic) {
+public record RecordedScore(GameScore score, ScoreStatistic statistic) {
 
     /** The 26 of the original, in its order, which has side effects: see the scores. */
     public static List<RecordedScore> ofTheOriginal(GameRules rules) {
@@ -42,8 +42,8 @@ public record RecordedScore(GameScore score, TrialStatistic statistic) {
         return List.copyOf(recorded);
     }
 
-    private static void add(List<RecordedScore> recorded, GameScore score, TrialStatistic... statistics) {
-        for (TrialStatistic statistic : statistics) {
+    private static void add(List<RecordedScore> recorded, GameScore score, ScoreStatistic... statistics) {
+        for (ScoreStatistic statistic : statistics) {
             recorded.add(new RecordedScore(score, statistic));
         }
     }

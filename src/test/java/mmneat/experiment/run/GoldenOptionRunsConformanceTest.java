@@ -24,7 +24,6 @@ class GoldenOptionRunsConformanceTest {
         try (Stream<Path> folders = Files.list(GoldenData.folder("runs-options"))) {
             List<String> names = folders.filter(Files::isDirectory)
                     .map(folder -> folder.getFileName().toString())
-                    .filter(name -> !name.contains("TUG"))
                     .sorted()
                     .toList();
             assertThat(names).isNotEmpty();

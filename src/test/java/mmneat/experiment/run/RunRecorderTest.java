@@ -35,8 +35,7 @@ class RunRecorderTest {
                 .runs()
                 .get(0);
         Task task = Tasks.factory(run.parameters()).get();
-        EvolutionSettings settings =
-                run.parameters().as(EvolutionParameters.class).settings(task);
+        EvolutionSettings settings = EvolutionParameters.settings(run.parameters(), task);
         RunFolder folder = new RunFolder(directory, run.prefix());
         RunStatus begun = new RunStatus(RunStatus.State.RUNNING, 0, 2, Double.NaN, Double.NaN, 0, 0, null);
         try (RunLock lock = RunLock.acquire(directory, RunLock.Timing.USUAL)) {

@@ -1,0 +1,160 @@
+package mmneat.evolution;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Objects;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.DoubleStream;
+
+/**
+ * The settings of {@link Tug}. The names in brackets are the parameters.
+ *
+ * <p>Source: docs/specification/original-options.md, section 4.1.
+ *
+ * @param startingGoals by objective: where averages start and restart; the objective's minimum score
+ * @param initialGoals by objective: the goals of a run that begins ({@code setInitialTUGGoals}, {@code initialTUGGoal0}, ...)
+ * @param statistics how the population's scores are summarised
+ * @param increase how goals rise
+ * @param options the switches that are on
+ * @param thrashingRatio factor of a goal that was reached and lost, with {@link Option#RISE_WHEN_THRASHING}
+ *     ({@code increasingTUGGoalRatio})
+ * @param remainingRatio factor of the goals of active objectives in each generation ({@code remainingTUGGoalRatio})
+ * @param window the generations in question
+ */
+public record TugSettings(
+        double[] startingGoals,
+        double[] initialGoals,
+        Statistics statistics,
+        Increase increase,
+        Set<Option> options,
+        double thrashingRatio,
+        double remainingRatio,
+        Window window) {
+
+    /** What can be switched on. */
+    public enum Option {
+        /** A goal that was reached and lost rises ({@code tugGoalsIncreaseWhenThrashing}). */
+        RISE_WHEN_THRASHING,
+        /** Goals stop dropping once all of them have been reached ({@code stopTUGGoalDropAfterAchievement}). */
+        STOP_DROPPING_AFTER_SUCCESS,
+        /** Averages restart at the old goals instead of the starting goals ({@code tugResetsToPreviousGoals}). */
+        RESTART_AT_PREVIOUS_GOALS,
+        /** The first front over all objectives survives ({@code tugKeepsParetoFront}). */
+        KEEP_PARETO_FRONT
+    }
+
+    /**
+     * How the population's scores are summarised.
+     *
+     * @param performance the performance of the population ({@code tugPerformanceStat})
+     * @param target the score towards which goals move ({@code tugGoalTargetStat})
+     * @param recency the step of the recency-weighted averages ({@code tugAlpha})
+     */
+    public record Statistics(ScoreStatistic performance, ScoreStatistic target, double recency) {}
+
+    /** How goals rise. */
+    public sealed interface Increase {
+
+        /**
+         * By fixed amounts ({@code constantTUGGoalIncrements}).
+         *
+         * @param amounts by objective ({@code tugGoalIncrement0}, ...)
+         */
+        record Constant(double[] amounts) implements Increase {
+            public Constant {
+                amounts = amounts.clone();
+            }
+
+            @Override
+            public double[] amounts() {
+                return amounts.clone();
+            }
+
+            double amount(int objective) {
+                return amounts[objective];
+            }
+        }
+
+        /**
+         * Towards the target.
+         *
+         * @param rate step of the goals ({@code tugEta})
+         * @param momentum share of the previous step ({@code tugMomentum})
+         */
+        record TowardsTarget(double rate, double momentum) implements Increase {}
+    }
+
+    /**
+     * The generations in question.
+     *
+     * @param first the first in which selection uses TUG ({@code startTUGGeneration})
+     * @param last the last ({@code endTUGGeneration})
+     * @param advancement generations after which reached goals rise alone ({@code tugAdvancementTimeLimit})
+     */
+    public record Window(int first, int last, int advancement) {
+        boolean contains(int generation) {
+            return generation >= first && generation <= last;
+        }
+    }
+
+    /**
+     * Checked settings.
+     *
+     * @throws IllegalArgumentException if there is no objective, the arrays differ in length, or a number is not finite
+     * @throws NullPointerException if a part is missing; the message names it
+     */
+    public TugSettings {
+        startingGoals = startingGoals.clone();
+        initialGoals = initialGoals.clone();
+        Objects.requireNonNull(statistics, "statistics");
+        Objects.requireNonNull(increase, "increase");
+        Objects.requireNonNull(window, "window");
+        EnumSet<Option> chosen = EnumSet.noneOf(Option.class);
+        chosen.addAll(options);
+        options = Collections.unmodifiableSet(chosen);
+        if (startingGoals.length == 0 || startingGoals.length != initialGoals.length) {
+            throw new IllegalArgumentException(
+                    "there must be as many starting goals as initial goals, at least one; there are "
+                            + startingGoals.length + " and " + initialGoals.length);
+        }
+        if (increase instanceof Increase.Constant constant && constant.amounts.length != startingGoals.length) {
+            throw new IllegalArgumentException("there must be an increment for each of the " + startingGoals.length
+                    + " objectives, there are " + constant.amounts.length);
+        }
+        OptionalDouble infinite = DoubleStream.concat(
+                        DoubleStream.concat(Arrays.stream(startingGoals), Arrays.stream(initialGoals)),
+                        DoubleStream.of(thrashingRatio, remainingRatio, statistics.recency))
+                .filter(value -> !Double.isFinite(value))
+                .findFirst();
+        if (infinite.isPresent()) {
+            throw new IllegalArgumentException(
+                    "goals, ratios and steps must be finite, one is " + infinite.getAsDouble());
+        }
+    }
+
+    /** Number of objectives. */
+    int objectives() {
+        return startingGoals.length;
+    }
+
+    boolean has(Option option) {
+        return options.contains(option);
+    }
+
+    @Override
+    public double[] startingGoals() {
+        return startingGoals.clone();
+    }
+
+    @Override
+    public double[] initialGoals() {
+        return initialGoals.clone();
+    }
+
+    /** The goal from which the averages of an objective start and restart. */
+    double startingGoal(int objective) {
+        return startingGoals[objective];
+    }
+}

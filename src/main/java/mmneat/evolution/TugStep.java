@@ -1,0 +1,29 @@
+package mmneat.evolution;
+
+/**
+ * What TUG did in one generation, after the parents were evaluated.
+ *
+ * @param after the state with which children are made and survivors chosen
+ * @param performance p: the population's performance in each objective
+ * @param targets t: the score towards which each goal moves
+ */
+public record TugStep(TugState after, double[] performance, double[] targets) {
+
+    /** A step with copies of the arrays. */
+    public TugStep {
+        performance = performance.clone();
+        targets = targets.clone();
+    }
+
+    /** The population's performance in each objective (a copy). */
+    @Override
+    public double[] performance() {
+        return performance.clone();
+    }
+
+    /** The score towards which each goal moves (a copy). */
+    @Override
+    public double[] targets() {
+        return targets.clone();
+    }
+}
