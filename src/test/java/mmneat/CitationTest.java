@@ -90,6 +90,21 @@ class CitationTest {
         assertThat(links).as("links found").isGreaterThan(20);
     }
 
+    @Test
+    void pathsInDocuments_exist() throws IOException {
+        Pattern path = Pattern.compile("`((?:src|docs|scripts|configs|mazes|\\.ci)/[\\w./-]+)`");
+        List<String> broken = new ArrayList<>();
+        for (Path file : files("", ".md")) {
+            Matcher matcher = path.matcher(Files.readString(file));
+            while (matcher.find()) {
+                if (!Files.exists(PROJECT.resolve(matcher.group(1)))) {
+                    broken.add(PROJECT.relativize(file) + ": " + matcher.group(1));
+                }
+            }
+        }
+        assertThat(broken).isEmpty();
+    }
+
     private static int check(Path file, String text, List<String> broken) throws IOException {
         int citations = 0;
         Matcher matcher = CITATION.matcher(text);
