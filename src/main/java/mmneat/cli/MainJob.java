@@ -15,6 +15,7 @@ import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.ExperimentRunner;
 import mmneat.experiment.run.RunMonitor;
 import mmneat.experiment.run.RunOutcome;
+import mmneat.experiment.store.RunLayout;
 import pacman.game.MachineFonts;
 import picocli.CommandLine.ExitCode;
 
@@ -105,7 +106,7 @@ final class MainJob implements Callable<Integer> {
                 out.println("  " + ThisProgram.command("watch", best.get().toString()));
             }
             if (hasChampion) {
-                String network = best.get().resolve("champion.json").toString();
+                String network = best.get().resolve(RunLayout.CHAMPION).toString();
                 out.println("  " + ThisProgram.command("network", network));
             }
             out.println("  " + ThisProgram.command("status", plan.base().toString()));

@@ -11,6 +11,7 @@ import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.Tasks;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunPlan;
+import mmneat.experiment.store.RunLayout;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
@@ -56,11 +57,11 @@ final class ProcessCommand extends ConsoleCommand implements Runnable {
                 .write(begun);
         PrintWriter out = out();
         out.println(begun.size() + " of " + plan.runs().size() + " runs summarised in "
-                + plan.base().resolve(plan.name() + "AVG_parents_log.txt") + " and beside it");
+                + plan.base().resolve(RunLayout.log(plan.name() + "AVG_", RunLayout.PARENTS)) + " and beside it");
         out.flush();
     }
 
     private static boolean hasBegun(RunPlan run) {
-        return Files.exists(run.directory().resolve(run.prefix() + "child_log.txt"));
+        return Files.exists(run.directory().resolve(RunLayout.log(run.prefix(), RunLayout.CHILDREN)));
     }
 }

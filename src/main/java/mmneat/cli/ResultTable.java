@@ -9,6 +9,7 @@ import mmneat.analysis.statistics.Numbers;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunMonitor.Phase;
 import mmneat.experiment.run.RunOutcome;
+import mmneat.experiment.store.RunLayout;
 
 /** What came out of an experiment: a line for each run, the best first. */
 final class ResultTable {
@@ -43,7 +44,7 @@ final class ResultTable {
                     .toList();
             if (generations.size() == 1 && generations.get(0) > 0) {
                 // The final parents are scored, but as in the original the champion is chosen in the generation before.
-                out.println("champion.json: the best parent of generation " + (generations.get(0) - 1)
+                out.println(RunLayout.CHAMPION + ": the best parent of generation " + (generations.get(0) - 1)
                         + ", the last that had children");
             }
         }

@@ -3,13 +3,13 @@ package mmneat.analysis.evaluation;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import mmneat.analysis.results.RunParameters;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
+import mmneat.experiment.store.RunLayout;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeFiles;
 import mmneat.neat.io.GenotypeFormatException;
@@ -24,12 +24,9 @@ import mmneat.neat.io.GenotypeFormatException;
  */
 public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters) {
 
-    /** Where a run keeps its champion: ours, the original's. */
-    private static final List<String> CHAMPION_FILES = List.of("champion.json", "bestPacMan/bestPacMan.xml");
-
     /** Whether a folder of a run holds its champion. */
     public static boolean isIn(Path folder) {
-        return CHAMPION_FILES.stream().map(folder::resolve).anyMatch(Files::exists);
+        return RunLayout.championIn(folder).isPresent();
     }
 
     /**
@@ -39,13 +36,9 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
      */
     public static Champion read(Path path) {
         Path file = Files.isDirectory(path)
-                ? CHAMPION_FILES.stream()
-                        .map(path::resolve)
-                        .filter(Files::exists)
-                        .findFirst()
-                        .orElseThrow(
-                                () -> new UserError(path + ": there is no champion in this folder (champion.json or"
-                                        + " bestPacMan/bestPacMan.xml)"))
+                ? RunLayout.championIn(path)
+                        .orElseThrow(() -> new UserError(path + ": there is no champion in this folder ("
+                                + RunLayout.CHAMPION + " or " + RunLayout.ORIGINAL_CHAMPION + ")"))
                 : path;
         if (!Files.exists(file)) {
             throw new UserError(file + ": there is no such file; give a run's folder or the file of a network");
@@ -64,21 +57,22 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
     private static Optional<Path> runFolder(Path file) {
         return Stream.iterate(file.toAbsolutePath().getParent(), java.util.Objects::nonNull, Path::getParent)
                 .limit(2)
-                .filter(folder -> RunParameters.file(folder).isPresent())
+                .filter(folder -> RunLayout.parametersIn(folder).isPresent())
                 .findFirst();
     }
 
     /** The file of the run's parameters. */
     public Optional<Path> parametersFile() {
-        return runFolder.flatMap(RunParameters::file);
+        return runFolder.flatMap(RunLayout::parametersIn);
     }
 
     /** A name for headings: the folder and file it was read from. */
     public String name() {
         Path folder = file.toAbsolutePath().normalize().getParent();
         String fileName = file.getFileName().toString();
-        return fileName.startsWith("champion.json") || fileName.equals("bestPacMan.xml")
-                ? String.valueOf((fileName.equals("bestPacMan.xml") ? folder.getParent() : folder).getFileName())
+        boolean original = RunLayout.isNamedAsOriginalChampion(file);
+        return original || fileName.startsWith(RunLayout.CHAMPION)
+                ? String.valueOf((original ? folder.getParent() : folder).getFileName())
                 : fileName.replaceFirst("\\.(json|xml)$", "");
     }
 }

@@ -14,10 +14,10 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicLong;
 import mmneat.analysis.results.ChampionEvaluation;
-import mmneat.analysis.results.EvaluationFiles;
 import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
+import mmneat.experiment.store.RunLayout;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 import mmneat.neat.Genotype;
@@ -79,8 +79,8 @@ public final class ChampionEvaluator implements AutoCloseable {
             Path folder = champion.file().toAbsolutePath().getParent();
             String prefix = champion.runFolder().isPresent() && isOfRun(champion) ? "" : champion.name() + "-";
             Path place = prefix.isEmpty() ? champion.runFolder().get() : folder;
-            table = place.resolve(prefix + EvaluationFiles.games(rules.label()));
-            summary = place.resolve(prefix + EvaluationFiles.summary(rules.label()));
+            table = place.resolve(prefix + RunLayout.evaluationGames(rules.label()));
+            summary = place.resolve(prefix + RunLayout.evaluationSummary(rules.label()));
             file = new EvaluationFile(table);
             long[] seeds = seeds(games);
             results = new ArrayList<>(file.begin(title(champion, settings), ChampionEvaluator.this::seeds));
@@ -94,8 +94,7 @@ public final class ChampionEvaluator implements AutoCloseable {
 
         /** The champion of the run, not some other network in its folder. */
         private boolean isOfRun(Champion champion) {
-            String name = champion.file().getFileName().toString();
-            return name.equals("champion.json") || name.equals("bestPacMan.xml");
+            return RunLayout.isNamedAsChampion(champion.file());
         }
 
         private String title(Champion champion, MsPacManTaskSettings settings) {
@@ -208,7 +207,7 @@ public final class ChampionEvaluator implements AutoCloseable {
      * @throws IOException if its table cannot be read
      */
     public static Optional<Long> typicalGame(Champion champion, Path runFolder, Rules rules) throws IOException {
-        Path table = runFolder.resolve(EvaluationFiles.games(rules.label()));
+        Path table = runFolder.resolve(RunLayout.evaluationGames(rules.label()));
         if (!Files.exists(table)) {
             return Optional.empty();
         }

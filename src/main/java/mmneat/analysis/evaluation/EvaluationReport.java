@@ -14,6 +14,7 @@ import mmneat.evolution.SampleStatistics;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DoubleText;
+import mmneat.experiment.store.RunLayout;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;
 import mmneat.mspacman.GameEnd;
@@ -34,7 +35,6 @@ import pacman.game.Game;
  */
 public final class EvaluationReport implements EvaluationObserver {
 
-    private static final String PARENTS_LOG = "_parents_log.txt";
     private static final List<String> DIRECTIONS = List.of("UP", "RIGHT", "DOWN", "LEFT");
 
     private final MsPacManTask task;
@@ -62,27 +62,14 @@ public final class EvaluationReport implements EvaluationObserver {
                         () -> new UserError(champion.file() + ": stands alone; the original's report draws from the"
                                 + " seed of a run and is written into its folder"));
         String seed = champion.parameters().getOrDefault("randomSeed", "0");
-        Path file =
-                folder.resolve(prefix(folder) + "Eval-Net" + champion.genotype().id() + "_log.txt");
+        Path file = folder.resolve(RunLayout.evaluationReport(
+                RunLayout.prefixIn(folder), champion.genotype().id()));
         try {
             Files.writeString(file, of(settings, champion.genotype(), games, Long.parseLong(seed)));
         } catch (IOException e) {
             throw new UserError(file + ": cannot be written: " + FileErrors.reason(e), e);
         }
         return file;
-    }
-
-    /** What the names of the run's logs begin with. */
-    private static String prefix(Path folder) {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.map(file -> file.getFileName().toString())
-                    .filter(name -> name.endsWith(PARENTS_LOG))
-                    .map(name -> name.substring(0, name.length() - PARENTS_LOG.length() + 1))
-                    .findFirst()
-                    .orElse("");
-        } catch (IOException e) {
-            throw new UserError(folder + ": cannot be read: " + FileErrors.reason(e), e);
-        }
     }
 
     /**

@@ -22,6 +22,7 @@ import mmneat.analysis.results.RunResult;
 import mmneat.analysis.statistics.ComparisonReport;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
+import mmneat.experiment.store.RunLayout;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.NetworkSvg;
 
@@ -207,7 +208,7 @@ public final class ExperimentReport {
             }
         }
         StringBuilder html = new StringBuilder(Html.table(table));
-        html.append("<p>Every run's folder holds all parameters in parameters.properties.</p><ul>");
+        html.append("<p>Every run's folder holds all parameters in " + RunLayout.PARAMETERS + ".</p><ul>");
         for (Experiment experiment : experiments) {
             String numbers = experiment.runs().stream()
                     .map(run -> String.valueOf(run.number()))

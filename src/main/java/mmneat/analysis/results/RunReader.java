@@ -4,42 +4,27 @@ import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
+import mmneat.experiment.store.RunLayout;
 
 /**
  * Reads the folder of a run, ours or the original's: the champion's scores, the parameters, the evaluation.
  */
 public final class RunReader {
 
-    private static final String GENERATIONS = "generations.csv";
-
-    /** Column of the best score in {@link #GENERATIONS}, counted from 1. */
-    private static final int BEST_COLUMN = 2;
-
-    private static final String PARENTS_LOG = "_parents_log.txt";
-
-    /**
-     * Column 12 of the parents log, counted from 1: the best average game score (docs/specification/evolution.md,
-     * section 5.2).
-     */
-    private static final int CHAMPION_SCORE_COLUMN = 12;
-
     private RunReader() {}
 
     /** Whether the folder is that of a run. */
     static boolean isRun(Path folder) {
-        return Files.exists(folder.resolve(GENERATIONS))
-                || file(folder, PARENTS_LOG).isPresent();
+        return Files.exists(folder.resolve(RunLayout.GENERATIONS))
+                || RunLayout.parentsLogIn(folder).isPresent();
     }
 
     static RunResult read(Path folder) {
@@ -55,15 +40,16 @@ public final class RunReader {
      * @throws UserError if there is none
      */
     public static double[] championScores(Path folder) {
-        Path table = folder.resolve(GENERATIONS);
+        Path table = folder.resolve(RunLayout.GENERATIONS);
         return Files.exists(table)
-                ? column(table, 1, ",", BEST_COLUMN)
+                ? column(table, 1, ",", RunLayout.championScoreColumnOfTable())
                 : column(
-                        file(folder, PARENTS_LOG)
-                                .orElseThrow(() -> new UserError(folder + ": has no " + GENERATIONS + " any more")),
+                        RunLayout.parentsLogIn(folder)
+                                .orElseThrow(() ->
+                                        new UserError(folder + ": has no " + RunLayout.GENERATIONS + " any more")),
                         0,
                         "\t",
-                        CHAMPION_SCORE_COLUMN);
+                        RunLayout.championScoreColumnOfLog());
     }
 
     private static double[] column(Path file, int headerLines, String separator, int column) {
@@ -103,12 +89,12 @@ public final class RunReader {
     }
 
     private static Optional<ChampionEvaluation> evaluation(Path folder) {
-        Path file = folder.resolve(EvaluationFiles.summary("training"));
+        Path file = folder.resolve(RunLayout.evaluationSummary("training"));
         if (!Files.exists(file)) {
             return Optional.empty();
         }
         ChampionEvaluation evaluation = json(file, ChampionEvaluation.class, "; remove it and run evaluate again");
-        Path champion = folder.resolve("champion.json");
+        Path champion = folder.resolve(RunLayout.CHAMPION);
         // A run that went on has another champion, of which this says nothing.
         boolean isOfAnother = Files.exists(champion)
                 && json(champion, JsonNode.class, "").path("id").asLong() != evaluation.network();
@@ -122,17 +108,6 @@ public final class RunReader {
             throw new UserError(file + ": is damaged" + remedy, e);
         } catch (IOException e) {
             throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
-        }
-    }
-
-    /** The file of a run with this ending; those of {@code process}, over all runs, have no number before it. */
-    private static Optional<Path> file(Path folder, String ending) {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.getFileName().toString().matches(".*\\d" + Pattern.quote(ending)))
-                    .sorted()
-                    .findFirst();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
         }
     }
 }

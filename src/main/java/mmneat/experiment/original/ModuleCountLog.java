@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import mmneat.evolution.Individual;
 import mmneat.evolution.SampleStatistics;
+import mmneat.experiment.store.RunLayout;
 
 /**
  * The log of how many modules the best and the worst parents have, and how well parents do with each number of modules.
@@ -13,7 +14,6 @@ import mmneat.evolution.SampleStatistics;
  */
 final class ModuleCountLog {
 
-    private static final String NAME = "ModeUsage";
     private static final int COUNTED_APART = 5;
 
     /** The last one says 6 for 5, as in the original. */
@@ -34,11 +34,11 @@ final class ModuleCountLog {
     private ModuleCountLog() {}
 
     static String file(String prefix) {
-        return prefix + NAME + "_log.txt";
+        return RunLayout.log(prefix, RunLayout.MODULE_COUNTS);
     }
 
     static String plotFile(String prefix) {
-        return prefix + NAME + "_log.plot";
+        return RunLayout.plot(prefix, RunLayout.MODULE_COUNTS);
     }
 
     /** The row of a generation. */
@@ -86,7 +86,9 @@ final class ModuleCountLog {
         PlotScript script = new PlotScript("set style data lines", "set xlabel \"Generation\"", "set yrange [0:]", "");
         IntStream.range(0, LABELS.size()).forEach(i -> {
             String label = LABELS.get(i);
-            script.picture(prefix + NAME + " " + label, List.of(new PlotScript.Curve(file(prefix), i + 2, label)))
+            script.picture(
+                            prefix + RunLayout.MODULE_COUNTS + " " + label,
+                            List.of(new PlotScript.Curve(file(prefix), i + 2, label)))
                     .line("");
         });
         return script.toString();

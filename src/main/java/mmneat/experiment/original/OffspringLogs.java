@@ -2,6 +2,7 @@ package mmneat.experiment.original;
 
 import java.util.List;
 import java.util.function.Function;
+import mmneat.experiment.store.RunLayout;
 import mmneat.neat.variation.Offspring;
 
 /**
@@ -14,11 +15,11 @@ final class OffspringLogs {
     private OffspringLogs() {}
 
     static String lineageFile(String prefix) {
-        return prefix + "Lineage_log.txt";
+        return RunLayout.log(prefix, RunLayout.LINEAGE);
     }
 
     static String mutationsFile(String prefix) {
-        return prefix + "Mutations_log.txt";
+        return RunLayout.log(prefix, RunLayout.MUTATIONS);
     }
 
     /** Who came from whom in a generation. */

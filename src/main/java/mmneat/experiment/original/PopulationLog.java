@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import mmneat.evolution.SampleStatistics;
 import mmneat.experiment.store.DoubleText;
+import mmneat.experiment.store.RunLayout;
 
 /**
  * A log with a row for each generation: of every property of a population its least, mean and largest value and its standard
@@ -17,21 +18,14 @@ import mmneat.experiment.store.DoubleText;
  */
 record PopulationLog(String name, List<String> labels) {
 
-    private static final int COLUMNS_PER_PROPERTY = 4;
-
     /** Name of the log's file. */
     String file(String prefix) {
-        return prefix + name + "_log.txt";
+        return RunLayout.log(prefix, name);
     }
 
     /** Name of the log's gnuplot script. */
     String plotFile(String prefix) {
-        return prefix + name + "_log.plot";
-    }
-
-    /** First column of a property in the file, counted from 1: the least value. */
-    static int firstColumn(int property) {
-        return 2 + COLUMNS_PER_PROPERTY * property;
+        return RunLayout.plot(prefix, name);
     }
 
     /**
@@ -55,7 +49,7 @@ record PopulationLog(String name, List<String> labels) {
     String plotScript(String prefix) {
         PlotScript script = new PlotScript("set style data lines", "set xlabel \"Generation\"", "");
         IntStream.range(0, labels.size()).forEach(property -> {
-            int column = firstColumn(property);
+            int column = RunLayout.firstColumn(property);
             script.picture(
                             prefix + name + " " + labels.get(property),
                             PlotScript.spread(file(prefix), column, column + 1, column + 2))

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SortedMap;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.EvolutionObserver;
@@ -13,6 +12,7 @@ import mmneat.evolution.Generation;
 import mmneat.evolution.Individual;
 import mmneat.evolution.Task;
 import mmneat.experiment.store.RunFolder;
+import mmneat.experiment.store.RunLayout;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeXml;
 
@@ -26,8 +26,6 @@ import mmneat.neat.io.GenotypeXml;
  * <p>Source: docs/specification/evolution.md, section 5.
  */
 public final class RunFiles implements EvolutionObserver {
-
-    private static final Pattern NETWORKS_FOLDER = Pattern.compile("initial|gen\\d+");
 
     private final RunFolder folder;
     private final Task task;
@@ -55,10 +53,10 @@ public final class RunFiles implements EvolutionObserver {
         this.choice = choice;
         List<String> scores = new ArrayList<>(task.objectiveNames());
         scores.addAll(task.otherScoreNames());
-        parentsLog = new PopulationLog("parents", scores);
-        childLog = new PopulationLog("child", scores);
-        networksLog = new PopulationLog("TWEANNData", NetworkProperties.labels(task.inputLabels()));
-        performanceLog = new PopulationLog("Performance", EvaluationCosts.LABELS);
+        parentsLog = new PopulationLog(RunLayout.PARENTS, scores);
+        childLog = new PopulationLog(RunLayout.CHILDREN, scores);
+        networksLog = new PopulationLog(RunLayout.NETWORKS, NetworkProperties.labels(task.inputLabels()));
+        performanceLog = new PopulationLog(RunLayout.PERFORMANCE, EvaluationCosts.LABELS);
     }
 
     /** Writes what is there before the first generation of a new run: scripts, initial networks, archetype. */
@@ -88,9 +86,9 @@ public final class RunFiles implements EvolutionObserver {
         }
         writeNetworks(next);
         if (choice.keepsNewestNetworksOnly) {
-            String newest = networksFolder(next.generation());
+            String newest = RunLayout.networksFolder(next.generation());
             folder.folders().stream()
-                    .filter(name -> NETWORKS_FOLDER.matcher(name).matches() && !name.equals(newest))
+                    .filter(name -> RunLayout.isNetworksFolder(name) && !name.equals(newest))
                     .forEach(folder::deleteFolder);
         }
     }
@@ -98,7 +96,7 @@ public final class RunFiles implements EvolutionObserver {
     @Override
     public void generationCompleted(Generation generation, EvolutionState next) {
         if (choice.logs) {
-            writeScores("child", generation.number(), generation.children());
+            writeScores(RunLayout.CHILDREN, generation.number(), generation.children());
             log(childLog, generation.number(), scores(generation.children()));
             logParents(generation);
             List<Individual> everybody = Stream.concat(generation.parents().stream(), generation.children().stream())
@@ -134,7 +132,7 @@ public final class RunFiles implements EvolutionObserver {
     private void logParents(Generation generation) {
         int number = generation.number();
         List<Individual> parents = generation.parents();
-        writeScores("parents", number, parents);
+        writeScores(RunLayout.PARENTS, number, parents);
         log(parentsLog, number, scores(parents));
         log(networksLog, number, networks(parents, generation.archetypeSize()));
         if (choice.moduleCounts) {
@@ -151,11 +149,13 @@ public final class RunFiles implements EvolutionObserver {
                 OffspringLogs.lineageFile(prefix), OffspringLogs.lineage(generation.number(), generation.offspring()));
     }
 
-    private void writeScores(String who, int generation, List<Individual> individuals) {
-        String name = folder.prefix() + who;
-        folder.write(name + "_gen" + generation + ".txt", ScoreTables.of(individuals, Evaluation::objectives));
+    private void writeScores(String population, int generation, List<Individual> individuals) {
+        String prefix = folder.prefix();
         folder.write(
-                name + "_other_scores_gen" + generation + ".txt", ScoreTables.of(individuals, Evaluation::otherScores));
+                RunLayout.scores(prefix, population, generation), ScoreTables.of(individuals, Evaluation::objectives));
+        folder.write(
+                RunLayout.otherScores(prefix, population, generation),
+                ScoreTables.of(individuals, Evaluation::otherScores));
     }
 
     private void log(PopulationLog log, int generation, List<double[]> population) {
@@ -178,23 +178,22 @@ public final class RunFiles implements EvolutionObserver {
     }
 
     private void writeChampion(Individual champion) {
-        folder.write("bestPacMan/bestPacMan.xml", GenotypeXml.write(champion.genotype()));
-        folder.write("bestPacMan/score.txt", ScoreTables.line(champion));
+        folder.write(RunLayout.ORIGINAL_CHAMPION, GenotypeXml.write(champion.genotype()));
+        folder.write(RunLayout.ORIGINAL_CHAMPION_SCORE, ScoreTables.line(champion));
     }
 
     private void writeBestInObjectives(List<Individual> population) {
         for (int objective = 0; objective < task.objectiveNames().size(); objective++) {
             Individual best = Generation.bestIn(population, objective);
-            folder.write("bestObjectives/bestIn" + objective + ".xml", GenotypeXml.write(best.genotype()));
-            folder.write("bestObjectives/score" + objective + ".txt", ScoreTables.line(best));
+            folder.write(RunLayout.bestIn(objective), GenotypeXml.write(best.genotype()));
+            folder.write(RunLayout.scoresOfBestIn(objective), ScoreTables.line(best));
         }
     }
 
     private void writeNetworks(EvolutionState state) {
-        String name = networksFolder(state.generation());
         int index = 0;
         for (Genotype genotype : state.population()) {
-            String file = name + "/" + folder.prefix() + name + "_" + index++ + ".xml";
+            String file = RunLayout.network(folder.prefix(), state.generation(), index++);
             if (choice.keepsNewestNetworksOnly) {
                 folder.writeRemakeable(file, GenotypeXml.write(genotype));
             } else {
@@ -203,7 +202,7 @@ public final class RunFiles implements EvolutionObserver {
             }
         }
         folder.writeRemakeable(
-                "archetype0.xml",
+                RunLayout.ARCHETYPE,
                 GenotypeXml.writeArchetype(state.pool().archetype().entries()));
     }
 
@@ -211,7 +210,7 @@ public final class RunFiles implements EvolutionObserver {
     private void writeShadows(EvolutionState state) {
         SortedMap<Long, Long> shadows = state.pool().archetype().shadows();
         if (!shadows.isEmpty()) {
-            folder.write("combiningCrossoverMapping.txt", shadowLines(shadows));
+            folder.write(RunLayout.CROSSOVER_MAPPING, shadowLines(shadows));
         }
     }
 
@@ -220,9 +219,5 @@ public final class RunFiles implements EvolutionObserver {
         shadows.forEach((neuron, shadow) ->
                 lines.append(neuron).append(' ').append(shadow).append('\n'));
         return lines.toString();
-    }
-
-    private static String networksFolder(int generation) {
-        return generation == 0 ? "initial" : "gen" + generation;
     }
 }

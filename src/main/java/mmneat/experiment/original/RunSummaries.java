@@ -13,6 +13,7 @@ import mmneat.evolution.Task;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DoubleText;
 import mmneat.experiment.store.RunFolder;
+import mmneat.experiment.store.RunLayout;
 import mmneat.nsga2.Hypervolume;
 
 /**
@@ -24,6 +25,9 @@ import mmneat.nsga2.Hypervolume;
  */
 public final class RunSummaries {
 
+    private static final String PARENTS_LOG = RunLayout.log("", RunLayout.PARENTS);
+    private static final String NETWORKS_LOG = RunLayout.log("", RunLayout.NETWORKS);
+    private static final String PERFORMANCE_LOG = RunLayout.log("", RunLayout.PERFORMANCE);
     private static final String HYPERVOLUMES = "parents_genHV";
 
     private final Path base;
@@ -58,22 +62,22 @@ public final class RunSummaries {
         writeHypervolumes(runs);
         writeAverages(runs, HYPERVOLUMES + ".txt");
         writeHypervolumePlots(runs);
-        writeAverages(runs, "parents_log.txt");
-        writeAverages(runs, "TWEANNData_log.txt");
-        writeAverages(runs, "Performance_log.txt");
-        writeSpreadPlot("parents_genScores", "parents_log.txt", quoted(scoreLabels()));
-        writeSpreadPlot("TWEANNData_log", "TWEANNData_log.txt", NetworkProperties.labels(task.inputLabels()));
-        writeSpreadPlot("Performance_log", "Performance_log.txt", EvaluationCosts.LABELS);
+        writeAverages(runs, PARENTS_LOG);
+        writeAverages(runs, NETWORKS_LOG);
+        writeAverages(runs, PERFORMANCE_LOG);
+        writeSpreadPlot("parents_genScores", PARENTS_LOG, quoted(scoreLabels()));
+        writeSpreadPlot("TWEANNData_log", NETWORKS_LOG, NetworkProperties.labels(task.inputLabels()));
+        writeSpreadPlot("Performance_log", PERFORMANCE_LOG, EvaluationCosts.LABELS);
     }
 
     /** Writes for each run the hypervolume and the size of its parents' front in every generation. */
     public void writeHypervolumes(List<Integer> runs) {
         for (int run : runs) {
             RunFolder folder = folderOf(run);
-            int generations = rows(run, "child_log.txt").size();
+            int generations = rows(run, RunLayout.log("", RunLayout.CHILDREN)).size();
             StringBuilder lines = new StringBuilder();
             for (int generation = 0; generation < generations; generation++) {
-                double[][] scores = rows(run, "parents_gen" + generation + ".txt").stream()
+                double[][] scores = rows(run, RunLayout.scores("", RunLayout.PARENTS, generation)).stream()
                         .map(row -> Arrays.copyOfRange(row, 2, row.length))
                         .toArray(double[][]::new);
                 lines.append(generation).append('\t');
@@ -133,7 +137,7 @@ public final class RunSummaries {
     private void writeSpreadPlot(String name, String file, List<String> labels) {
         PlotScript script = new PlotScript("set style data lines", "set key left");
         for (int property = 0; property < labels.size(); property++) {
-            int column = PopulationLog.firstColumn(property);
+            int column = RunLayout.firstColumn(property);
             script.picture(
                             "Average " + labels.get(property) + " for " + saveTo + " by Generation",
                             PlotScript.spread(

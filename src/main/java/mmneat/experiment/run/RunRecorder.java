@@ -12,6 +12,7 @@ import mmneat.experiment.store.Checkpoint;
 import mmneat.experiment.store.CheckpointFile;
 import mmneat.experiment.store.GenerationTable;
 import mmneat.experiment.store.RunFolder;
+import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunStatus;
 import mmneat.neat.io.GenotypeJson;
@@ -70,9 +71,9 @@ final class RunRecorder implements EvolutionObserver {
         commit(() -> {
             files.generationCompleted(generation, next);
             folder.append(
-                    GenerationTable.FILE, (generation.number() == 0 ? table.header() : "") + table.row(generation));
+                    RunLayout.GENERATIONS, (generation.number() == 0 ? table.header() : "") + table.row(generation));
             folder.write(
-                    "champion.json",
+                    RunLayout.CHAMPION,
                     GenotypeJson.write(generation.champion(task).genotype()));
             saveCheckpoint(next);
             record(generation, next.generation(), RunStatus.State.RUNNING);
@@ -84,7 +85,8 @@ final class RunRecorder implements EvolutionObserver {
         commit(() -> {
             files.completed(finalParents);
             folder.append(
-                    GenerationTable.FILE, (finalParents.number() == 0 ? table.header() : "") + table.row(finalParents));
+                    RunLayout.GENERATIONS,
+                    (finalParents.number() == 0 ? table.header() : "") + table.row(finalParents));
             folder.flush();
             folder.forceAll();
             // No checkpoint: that of the last generation stays, so that the run can be continued with more generations.

@@ -30,8 +30,8 @@ public final class CheckpointFile {
 
     public CheckpointFile(Path directory) {
         this.directory = directory;
-        newest = directory.resolve("checkpoint.json.gz");
-        previous = directory.resolve("checkpoint-previous.json.gz");
+        newest = directory.resolve(RunLayout.CHECKPOINT);
+        previous = directory.resolve(RunLayout.PREVIOUS_CHECKPOINT);
     }
 
     /** Writes the next checkpoint, and forces it to the disk if the files that it tells of were. */

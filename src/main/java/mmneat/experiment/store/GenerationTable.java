@@ -16,8 +16,6 @@ import mmneat.evolution.Task;
  */
 public final class GenerationTable {
 
-    public static final String FILE = "generations.csv";
-
     private final Task task;
 
     public GenerationTable(Task task) {
@@ -25,8 +23,7 @@ public final class GenerationTable {
     }
 
     public String header() {
-        List<String> names = new ArrayList<>(
-                List.of("generation", "best", "median", "worst", "champion", "modules", "neurons", "links", "steps"));
+        List<String> names = new ArrayList<>(RunLayout.GENERATIONS_COLUMNS);
         task.objectiveNames().forEach(name -> names.add("best " + name));
         return line(names);
     }

@@ -13,13 +13,10 @@ import mmneat.mspacman.TaskVersion;
 import pacman.game.GhostLocations;
 
 /**
- * The ghost locations of an isolated run, {@value #FILE} in its folder: the run goes on with them wherever its folder is, and
+ * The ghost locations of an isolated run, {@code ghost-locations.txt} in its folder: the run goes on with them wherever its folder is, and
  * whatever recording a later version of the program brings along.
  */
 public final class GhostLocationsCopy {
-
-    /** Its name, and what {@code parameters.properties} says of it. */
-    static final String FILE = "ghost-locations.txt";
 
     private GhostLocationsCopy() {}
 
@@ -58,7 +55,7 @@ public final class GhostLocationsCopy {
         if (!Arrays.equals(Files.readAllBytes(Path.of(asked)), Files.readAllBytes(file(directory)))) {
             throw new UserError(
                     directory + " was begun with other ghost locations than " + Tasks.GHOST_LOCATIONS + "=" + asked
-                            + "; leave it out to continue with its own (" + FILE
+                            + "; leave it out to continue with its own (" + RunLayout.GHOST_LOCATIONS
                             + "), or give another folder with base=FOLDER");
         }
     }
@@ -70,6 +67,6 @@ public final class GhostLocationsCopy {
     }
 
     private static Path file(Path directory) {
-        return directory.resolve(FILE);
+        return directory.resolve(RunLayout.GHOST_LOCATIONS);
     }
 }

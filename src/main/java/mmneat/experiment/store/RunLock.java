@@ -160,7 +160,7 @@ public final class RunLock implements AutoCloseable {
     }
 
     private static Path file(Path directory) {
-        return directory.toAbsolutePath().normalize().resolve("lock.json");
+        return directory.toAbsolutePath().normalize().resolve(RunLayout.LOCK);
     }
 
     private static boolean create(Path file, LockHolder self) throws IOException {

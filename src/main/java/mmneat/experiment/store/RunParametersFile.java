@@ -44,7 +44,7 @@ public final class RunParametersFile {
 
     public RunParametersFile(Path directory) {
         this.directory = directory;
-        file = directory.resolve("parameters.properties");
+        file = directory.resolve(RunLayout.PARAMETERS);
     }
 
     public boolean exists() {
@@ -116,7 +116,7 @@ public final class RunParametersFile {
         Optional<TaskVersion> version = PublishedTask.version(parameters);
         version.ifPresent(named -> values.put("task", named.label()));
         if (version.filter(TaskVersion.ISOLATED::equals).isPresent()) {
-            values.put(Tasks.GHOST_LOCATIONS, GhostLocationsCopy.FILE);
+            values.put(Tasks.GHOST_LOCATIONS, RunLayout.GHOST_LOCATIONS);
         }
         parameters.ofOwnTask().forEach((name, value) -> values.put(OwnTask.PREFIX + name, value));
         return values;

@@ -82,6 +82,6 @@ public record RunStatus(
     }
 
     private static Path file(Path directory) {
-        return directory.resolve("status.json");
+        return directory.resolve(RunLayout.STATUS);
     }
 }

@@ -48,7 +48,7 @@ public record RunView(
     /** Whether a folder is that of a run of this program. */
     public static boolean isRun(Path folder) {
         return new RunParametersFile(folder).exists()
-                && (Files.exists(folder.resolve("status.json")) || new CheckpointFile(folder).exists());
+                && (Files.exists(folder.resolve(RunLayout.STATUS)) || new CheckpointFile(folder).exists());
     }
 
     /** Reads a run's folder. */

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import mmneat.experiment.store.RunLayout;
 import mmneat.neat.Genotype;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.io.GenotypeJson;
@@ -56,6 +57,7 @@ public final class RunFixture {
                     600, 300, 80, 20
                 });
         new ObjectMapper()
-                .writeValue(folder.resolve(EvaluationFiles.summary("training")).toFile(), evaluation);
+                .writeValue(
+                        folder.resolve(RunLayout.evaluationSummary("training")).toFile(), evaluation);
     }
 }

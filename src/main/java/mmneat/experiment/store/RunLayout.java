@@ -1,0 +1,211 @@
+package mmneat.experiment.store;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * The files of a run's folder: their names and the columns of their tables, ours and the original's.
+ *
+ * <p>Names are relative to the folder, with {@code /} between the parts. A prefix is what the names of a run's score files and
+ * logs start with, {@code <log><run>_}. Columns are counted from 1.
+ *
+ * <p>Source: docs/specification/evolution.md, sections 5 to 7, for the original's files.
+ */
+public final class RunLayout {
+
+    /** All parameters of the run. */
+    public static final String PARAMETERS = "parameters.properties";
+
+    /** The ghost locations of an isolated run. */
+    public static final String GHOST_LOCATIONS = "ghost-locations.txt";
+
+    /** How far the run is. */
+    public static final String STATUS = "status.json";
+
+    /** The process that works at the run. */
+    public static final String LOCK = "lock.json";
+
+    /** The newest checkpoint. */
+    public static final String CHECKPOINT = "checkpoint.json.gz";
+
+    /** The checkpoint before. */
+    public static final String PREVIOUS_CHECKPOINT = "checkpoint-previous.json.gz";
+
+    /** The champion of the last generation. */
+    public static final String CHAMPION = "champion.json";
+
+    /** A row for each generation, below a header. */
+    public static final String GENERATIONS = "generations.csv";
+
+    /** The columns of {@link #GENERATIONS} that every task has; those of the best scores in its objectives follow. */
+    public static final List<String> GENERATIONS_COLUMNS =
+            List.of("generation", "best", "median", "worst", "champion", "modules", "neurons", "links", "steps");
+
+    /** The champion in the original's form. */
+    public static final String ORIGINAL_CHAMPION = "bestPacMan/bestPacMan.xml";
+
+    /** The scores of {@link #ORIGINAL_CHAMPION}. */
+    public static final String ORIGINAL_CHAMPION_SCORE = "bestPacMan/score.txt";
+
+    /** The archetype. */
+    public static final String ARCHETYPE = "archetype0.xml";
+
+    /** The archetype's neurons that crossover takes for one. */
+    public static final String CROSSOVER_MAPPING = "combiningCrossoverMapping.txt";
+
+    /** The logs of parents and children. */
+    public static final String PARENTS = "parents";
+
+    public static final String CHILDREN = "child";
+
+    /** The logs of networks, costs, modules, parentage and mutations. */
+    public static final String NETWORKS = "TWEANNData";
+
+    public static final String PERFORMANCE = "Performance";
+    public static final String MODULE_COUNTS = "ModeUsage";
+    public static final String LINEAGE = "Lineage";
+    public static final String MUTATIONS = "Mutations";
+
+    private static final int COLUMNS_PER_PROPERTY = 4;
+
+    /** The property of {@link #PARENTS} by whose maximum champions are chosen: the mean game score, behind two objectives. */
+    private static final int CHAMPION_SCORE = 2;
+
+    private static final String ORIGINAL_PARAMETERS = "_parameters.txt";
+    private static final Pattern NETWORKS_FOLDER = Pattern.compile("initial|gen\\d+");
+
+    private RunLayout() {}
+
+    /** The best network in an objective, counted from 0, in the original's form. */
+    public static String bestIn(int objective) {
+        return "bestObjectives/bestIn" + objective + ".xml";
+    }
+
+    /** The scores of {@link #bestIn}. */
+    public static String scoresOfBestIn(int objective) {
+        return "bestObjectives/score" + objective + ".txt";
+    }
+
+    /** The folder of a generation's networks. */
+    public static String networksFolder(int generation) {
+        return generation == 0 ? "initial" : "gen" + generation;
+    }
+
+    /** Whether a folder of this name is one of {@link #networksFolder}. */
+    public static boolean isNetworksFolder(String name) {
+        return NETWORKS_FOLDER.matcher(name).matches();
+    }
+
+    /** A network of a generation, counted from 0, in the original's form. */
+    public static String network(String prefix, int generation, int index) {
+        String folder = networksFolder(generation);
+        return folder + "/" + prefix + folder + "_" + index + ".xml";
+    }
+
+    /** A log, such as that of {@link #PARENTS}. */
+    public static String log(String prefix, String name) {
+        return prefix + name + "_log.txt";
+    }
+
+    /** The gnuplot script that shows a log. */
+    public static String plot(String prefix, String name) {
+        return prefix + name + "_log.plot";
+    }
+
+    /** The objectives of the {@link #PARENTS} or {@link #CHILDREN} of a generation. */
+    public static String scores(String prefix, String population, int generation) {
+        return prefix + population + "_gen" + generation + ".txt";
+    }
+
+    /** The other scores of the {@link #PARENTS} or {@link #CHILDREN} of a generation. */
+    public static String otherScores(String prefix, String population, int generation) {
+        return prefix + population + "_other_scores_gen" + generation + ".txt";
+    }
+
+    /** The original's report on an evaluation of the network with this id. */
+    public static String evaluationReport(String prefix, long network) {
+        return log(prefix, "Eval-Net" + network);
+    }
+
+    /** The summary of the champion's evaluation by these rules. */
+    public static String evaluationSummary(String rules) {
+        return "evaluation-" + rules + ".json";
+    }
+
+    /** The games of the champion's evaluation by these rules, a line for each. */
+    public static String evaluationGames(String rules) {
+        return "evaluation-" + rules + ".csv";
+    }
+
+    /** First column of a property, counted from 0, in a log of a population: minimum, mean, maximum and deviation follow. */
+    public static int firstColumn(int property) {
+        return 2 + COLUMNS_PER_PROPERTY * property;
+    }
+
+    /** Column of the champion's score in the log of {@link #PARENTS}. */
+    public static int championScoreColumnOfLog() {
+        return firstColumn(CHAMPION_SCORE) + 2;
+    }
+
+    /** Column of the champion's score in {@link #GENERATIONS}. */
+    public static int championScoreColumnOfTable() {
+        return 1 + GENERATIONS_COLUMNS.indexOf("best");
+    }
+
+    /** The log of {@link #PARENTS} in a folder, whatever its prefix; logs over all runs have no number before it. */
+    public static Optional<Path> parentsLogIn(Path folder) {
+        Pattern name = Pattern.compile(".*\\d" + Pattern.quote("_" + log("", PARENTS)));
+        return firstIn(folder, name);
+    }
+
+    /** The prefix of the files in a folder; empty if it has no log of {@link #PARENTS}. */
+    public static String prefixIn(Path folder) {
+        return parentsLogIn(folder)
+                .map(log -> log.getFileName().toString())
+                .map(name -> name.substring(0, name.length() - log("", PARENTS).length()))
+                .orElse("");
+    }
+
+    /** The file of the run's parameters in a folder: ours, or else the original's. */
+    public static Optional<Path> parametersIn(Path folder) {
+        Path ours = folder.resolve(PARAMETERS);
+        return Files.exists(ours)
+                ? Optional.of(ours)
+                : firstIn(folder, Pattern.compile(".*" + Pattern.quote(ORIGINAL_PARAMETERS)));
+    }
+
+    /** The champion in a folder: ours, or else the original's. */
+    public static Optional<Path> championIn(Path folder) {
+        return Stream.of(CHAMPION, ORIGINAL_CHAMPION)
+                .map(folder::resolve)
+                .filter(Files::exists)
+                .findFirst();
+    }
+
+    /** Whether a file has the name of the champion in the original's form, wherever it is. */
+    public static boolean isNamedAsOriginalChampion(Path file) {
+        return Path.of(ORIGINAL_CHAMPION).endsWith(file.getFileName());
+    }
+
+    /** Whether a file has the name of a champion, ours or the original's, wherever it is. */
+    public static boolean isNamedAsChampion(Path file) {
+        return file.endsWith(CHAMPION) || isNamedAsOriginalChampion(file);
+    }
+
+    private static Optional<Path> firstIn(Path folder, Pattern name) {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(
+                            file -> name.matcher(file.getFileName().toString()).matches())
+                    .sorted()
+                    .findFirst();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
