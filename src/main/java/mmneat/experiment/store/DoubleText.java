@@ -17,6 +17,16 @@ public final class DoubleText {
     private static final int LARGEST_EXACT_INTEGER_EXPONENT = 62;
     private static final double LARGEST_PLAIN = 1e7;
 
+    /** The powers of 5 that fit into a long. */
+    private static final long[] POWERS_OF_5 = new long[28];
+
+    static {
+        POWERS_OF_5[0] = 1;
+        for (int power = 1; power < POWERS_OF_5.length; power++) {
+            POWERS_OF_5[power] = POWERS_OF_5[power - 1] * 5;
+        }
+    }
+
     /** Digits without leading zeros. */
     private final StringBuilder digits = new StringBuilder(20);
 
@@ -108,24 +118,32 @@ public final class DoubleText {
             unit2 -= gap2;
             gap2 = 0;
         }
-        BigInteger remainder = product(fraction, remainder5, remainder2);
-        BigInteger unit = product(1, unit5, unit2);
-        BigInteger halfGap = product(1, remainder5, gap2);
         boolean isWide =
                 usedBits + remainder2 + bitsOfPowerOf5(remainder5) >= 64 || unit2 + 1 + bitsOfPowerOf5(unit5 + 1) >= 64;
-        generateDigits(remainder, unit, halfGap, isWide, estimate);
+        if (isWide) {
+            generateDigits(
+                    product(fraction, remainder5, remainder2),
+                    product(1, unit5, unit2),
+                    product(1, remainder5, gap2),
+                    estimate);
+        } else {
+            generateDigits(
+                    fraction * POWERS_OF_5[remainder5] << remainder2,
+                    POWERS_OF_5[unit5] << unit2,
+                    POWERS_OF_5[remainder5] << gap2,
+                    estimate);
+        }
     }
 
-    private void generateDigits(BigInteger rest, BigInteger unit, BigInteger gap, boolean isWide, int estimate) {
+    /** Digit generation where all numbers fit into a long: most doubles of everyday size. */
+    private void generateDigits(long rest, long unit, long gap, int estimate) {
         int exponent = estimate;
-        BigInteger tenUnits = unit.multiply(BigInteger.TEN);
-        BigInteger halfGap = gap;
-        BigInteger[] split = rest.divideAndRemainder(unit);
-        BigInteger remainder = split[1].multiply(BigInteger.TEN);
-        halfGap = halfGap.multiply(BigInteger.TEN);
-        boolean low = remainder.compareTo(halfGap) < 0;
-        boolean high = isHigh(remainder, halfGap, tenUnits, isWide);
-        int digit = split[0].intValue();
+        long tenUnits = unit * 10;
+        int digit = (int) (rest / unit);
+        long remainder = rest % unit * 10;
+        long halfGap = gap * 10;
+        boolean low = remainder < halfGap;
+        boolean high = remainder + halfGap > tenUnits;
         if (digit == 0 && !high) {
             exponent--;
         } else {
@@ -137,31 +155,57 @@ public final class DoubleText {
             high = false;
         }
         while (!low && !high) {
+            digit = (int) (remainder / unit);
+            remainder = remainder % unit * 10;
+            halfGap *= 10;
+            // The gap may overflow; then this digit is the last.
+            low = halfGap <= 0 || remainder < halfGap;
+            high = halfGap <= 0 || remainder + halfGap > tenUnits;
+            digits.append(digit);
+        }
+        finish(exponent, low, high, Long.signum((remainder << 1) - tenUnits));
+    }
+
+    /** Digit generation where the numbers do not fit into a long. */
+    private void generateDigits(BigInteger rest, BigInteger unit, BigInteger gap, int estimate) {
+        int exponent = estimate;
+        BigInteger tenUnits = unit.multiply(BigInteger.TEN);
+        BigInteger[] split = rest.divideAndRemainder(unit);
+        BigInteger remainder = split[1].multiply(BigInteger.TEN);
+        BigInteger halfGap = gap.multiply(BigInteger.TEN);
+        boolean low = remainder.compareTo(halfGap) < 0;
+        // Only here does the bound itself count as within reach.
+        boolean high = remainder.add(halfGap).compareTo(tenUnits) >= 0;
+        int digit = split[0].intValue();
+        if (digit == 0 && !high) {
+            exponent--;
+        } else {
+            digits.append(digit);
+        }
+        if (exponent < -3 || exponent >= 8) {
+            low = false;
+            high = false;
+        }
+        while (!low && !high) {
             split = remainder.divideAndRemainder(unit);
             remainder = split[1].multiply(BigInteger.TEN);
             halfGap = halfGap.multiply(BigInteger.TEN);
-            // In narrow arithmetic the gap may outgrow a long; then this digit is the last.
-            boolean overflows = !isWide && halfGap.bitLength() > 63;
-            low = overflows || remainder.compareTo(halfGap) < 0;
-            high = overflows || isHigh(remainder, halfGap, tenUnits, isWide);
+            low = remainder.compareTo(halfGap) < 0;
+            high = remainder.add(halfGap).compareTo(tenUnits) >= 0;
             digits.append(split[0].intValue());
         }
+        finish(exponent, low, high, remainder.shiftLeft(1).compareTo(tenUnits));
+    }
+
+    /** Rounds the last digit. @param half the sign of the rest minus one half of the last digit's unit */
+    private void finish(int exponent, boolean low, boolean high, int half) {
         decimalExponent = exponent + 1;
         if (high) {
-            BigInteger aboveHalf = remainder.shiftLeft(1).subtract(tenUnits);
-            int half = isWide ? aboveHalf.signum() : Long.signum(aboveHalf.longValue());
             boolean lastIsOdd = (digits.charAt(digits.length() - 1) - '0') % 2 == 1;
             if (!low || half > 0 || (half == 0 && lastIsOdd)) {
                 roundUp();
             }
         }
-    }
-
-    private static boolean isHigh(BigInteger remainder, BigInteger halfGap, BigInteger tenUnits, boolean isWide) {
-        BigInteger sum = remainder.add(halfGap);
-        // Only in wide arithmetic does the bound itself count as within reach, and in narrow arithmetic the sum may
-        // overflow.
-        return isWide ? sum.compareTo(tenUnits) >= 0 : sum.longValue() > tenUnits.longValue();
     }
 
     private void roundUp() {
@@ -192,7 +236,7 @@ public final class DoubleText {
 
     /** The older rule's own measure of a power's size; beyond its table three bits per factor. */
     private static int bitsOfPowerOf5(int power) {
-        return power < 27 ? BigInteger.valueOf(5).pow(power).bitLength() : power * 3;
+        return power < 27 ? Long.SIZE - Long.numberOfLeadingZeros(POWERS_OF_5[power]) : power * 3;
     }
 
     private String notation() {
