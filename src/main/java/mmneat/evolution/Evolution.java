@@ -3,6 +3,7 @@ package mmneat.evolution;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
@@ -26,6 +27,7 @@ public final class Evolution {
     private final EvolutionSettings settings;
     private final Evaluator evaluator;
     private final EvolutionObserver observer;
+    private final Predicate<List<Individual>> isSolved;
 
     private final GenePool pool;
     private final ResumableRandom random;
@@ -42,6 +44,21 @@ public final class Evolution {
      */
     public Evolution(
             EvolutionSettings settings, EvolutionState state, Evaluator evaluator, EvolutionObserver observer) {
+        this(settings, state, evaluator, observer, parents -> false);
+    }
+
+    /**
+     * An evolution that continues from a state and may end before its last generation.
+     *
+     * @param isSolved asked after the evaluation of the parents of each generation: whether the evolution ends with them
+     * @throws IllegalArgumentException if the state has another population size than the settings
+     */
+    public Evolution(
+            EvolutionSettings settings,
+            EvolutionState state,
+            Evaluator evaluator,
+            EvolutionObserver observer,
+            Predicate<List<Individual>> isSolved) {
         if (state.population().size() != settings.populationSize()) {
             throw new IllegalArgumentException("mu is " + settings.populationSize() + ", the state has a population of "
                     + state.population().size());
@@ -49,6 +66,7 @@ public final class Evolution {
         this.settings = settings;
         this.evaluator = evaluator;
         this.observer = observer;
+        this.isSolved = isSolved;
         pool = GenePool.resume(state.pool());
         random = ResumableRandom.resume(state.random());
         variation = new ReproductionVariation(new Reproduction(settings.variation(), pool));
@@ -67,22 +85,22 @@ public final class Evolution {
      * @throws IllegalStateException if an evaluation fails, or a module is to be added to a multitask network
      */
     public void run() {
-        while (generation < settings.generations()) {
-            runGeneration();
+        List<Individual> parents = evaluateParents();
+        while (generation < settings.generations() && !isSolved.test(parents)) {
+            evolve(parents);
+            parents = evaluateParents();
         }
-        List<Individual> finalParents = evaluate(population, 0, population.size());
         observer.completed(new Generation(
-                generation, finalParents, List.of(), List.of(), pool.archetype().size()));
+                generation, parents, List.of(), List.of(), pool.archetype().size()));
     }
 
-    private void runGeneration() {
-        int total = 2 * settings.populationSize();
-        List<Individual> parents = evaluate(population, 0, total);
+    /** Completes the generation of evaluated parents. */
+    private void evolve(List<Individual> parents) {
         Optional<TugStep> tugStep = settings.tug().map(policy -> policy.step(tug, generation, objectives(parents)));
         tugStep.ifPresent(step -> tug = step.after());
         List<Offspring> offspring = reproduce(parents);
         List<Individual> children =
-                evaluate(offspring.stream().map(Offspring::genotype).toList(), parents.size(), total);
+                evaluate(offspring.stream().map(Offspring::genotype).toList(), parents.size(), 2 * parents.size());
         // The archetype's size is recorded before cleaning: it includes the neurons of children that will not survive.
         Generation completed = new Generation(
                 generation, parents, offspring, children, pool.archetype().size(), tugStep);
@@ -93,6 +111,11 @@ public final class Evolution {
             pool.archetype().clean(population);
         }
         observer.generationCompleted(completed, state());
+    }
+
+    private List<Individual> evaluateParents() {
+        boolean isLast = generation >= settings.generations();
+        return evaluate(population, 0, isLast ? population.size() : 2 * population.size());
     }
 
     private List<Individual> evaluate(List<Genotype> genotypes, int firstIndex, int total) {

@@ -46,7 +46,9 @@ public final class SequentialEvaluator implements Evaluator {
     static Individual evaluate(
             Task task, Genotype genotype, int generation, ResumableRandom random, LongSupplier nanoTime) {
         long start = nanoTime.getAsLong();
-        Evaluation evaluation = task.evaluate(genotype, random);
+        // What happens to the run's generator must not depend on whether a deterministic task is evaluated again.
+        ResumableRandom generator = task.isDeterministic() ? new ResumableRandom(genotype.id()) : random;
+        Evaluation evaluation = task.evaluate(genotype, generator);
         long nanoseconds = nanoTime.getAsLong() - start;
         String whose = "genotype " + genotype.id() + " in generation " + generation;
         requireScores(whose, "objective", evaluation.objectives(), task.objectiveNames());

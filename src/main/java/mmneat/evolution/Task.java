@@ -27,6 +27,15 @@ public interface Task {
     }
 
     /**
+     * Whether the scores of a genotype are the same in every evaluation. They can then be kept ({@code keepScores}) instead of
+     * being computed again in every generation. The evaluations of a deterministic task do not draw from the run's generator:
+     * each gets a generator of its own, seeded with the genotype's id, for example for ties between preference neurons.
+     */
+    default boolean isDeterministic() {
+        return false;
+    }
+
+    /**
      * Names of the scores that are recorded but not selected for, in the order of {@link Evaluation#otherScores()}; they need
      * not differ.
      */

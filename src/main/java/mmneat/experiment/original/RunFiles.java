@@ -1,5 +1,6 @@
 package mmneat.experiment.original;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -178,16 +179,20 @@ public final class RunFiles implements EvolutionObserver {
     }
 
     private void writeChampion(Individual champion) {
-        folder.write(RunLayout.ORIGINAL_CHAMPION, GenotypeXml.write(champion.genotype()));
+        writeGenotype(RunLayout.ORIGINAL_CHAMPION, champion.genotype());
         folder.write(RunLayout.ORIGINAL_CHAMPION_SCORE, ScoreTables.line(champion));
     }
 
     private void writeBestInObjectives(List<Individual> population) {
         for (int objective = 0; objective < task.objectiveNames().size(); objective++) {
             Individual best = Generation.bestIn(population, objective);
-            folder.write(RunLayout.bestIn(objective), GenotypeXml.write(best.genotype()));
+            writeGenotype(RunLayout.bestIn(objective), best.genotype());
             folder.write(RunLayout.scoresOfBestIn(objective), ScoreTables.line(best));
         }
+    }
+
+    private void writeGenotype(String name, Genotype genotype) {
+        folder.write(name, () -> GenotypeXml.write(genotype).getBytes(StandardCharsets.UTF_8));
     }
 
     private void writeNetworks(EvolutionState state) {
@@ -198,7 +203,7 @@ public final class RunFiles implements EvolutionObserver {
                 folder.writeRemakeable(file, GenotypeXml.write(genotype));
             } else {
                 // Those of earlier generations are in no checkpoint.
-                folder.write(file, GenotypeXml.write(genotype));
+                writeGenotype(file, genotype);
             }
         }
         folder.writeRemakeable(

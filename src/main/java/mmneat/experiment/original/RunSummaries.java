@@ -86,6 +86,7 @@ public final class RunSummaries {
                 lines.append(Hypervolume.frontSize(scores)).append('\n');
             }
             folder.write(folder.prefix() + HYPERVOLUMES + ".txt", lines.toString());
+            folder.flush();
         }
     }
 

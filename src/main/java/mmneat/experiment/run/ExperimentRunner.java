@@ -57,6 +57,8 @@ public final class ExperimentRunner {
                 .toList();
         EvolutionParameters.settings(
                 plan.runs().get(0).parameters(), tasks.get(0).get());
+        plan.runs().get(0).stopAt();
+        CheckpointSchedule.of(plan.parameters().text("checkpointEvery"), System::nanoTime);
         for (RunPlan run : plan.runs()) {
             requireContinuable(run);
         }
@@ -93,7 +95,7 @@ public final class ExperimentRunner {
             }
             GhostLocationsCopy.requireSame(run.directory(), run.parameters());
             Optional<RunStatus> status = RunStatus.read(run.directory());
-            if (status.isPresent() && !status.get().isFinished(run.generations())) {
+            if (status.isPresent() && !run.isFinished(status.get())) {
                 run.requireAtLeast(status.get().generation());
             }
         } catch (IOException e) {

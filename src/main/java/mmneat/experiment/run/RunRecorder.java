@@ -1,6 +1,7 @@
 package mmneat.experiment.run;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 import mmneat.evolution.EvolutionObserver;
 import mmneat.evolution.EvolutionState;
@@ -18,8 +19,8 @@ import mmneat.experiment.store.RunStatus;
 import mmneat.neat.io.GenotypeJson;
 
 /**
- * Writes all that a run leaves behind: after each generation its files and then, as the last thing, the checkpoint. What is
- * there between two checkpoints belongs to the older one.
+ * Writes the files of a run. A generation's files are held in memory until the next checkpoint is due; then they are written,
+ * and the checkpoint after them. Files that were written after a checkpoint are written again when the run is continued from it.
  */
 final class RunRecorder implements EvolutionObserver {
 
@@ -32,7 +33,12 @@ final class RunRecorder implements EvolutionObserver {
     private final RunMonitor monitor;
     private final GenerationTable table;
     private final SyncSchedule forcing = new SyncSchedule(System::nanoTime);
+    private final CheckpointSchedule checkpoints;
     private int completedHere;
+
+    /** The state after the last complete generation; null before the first of this process. */
+    private EvolutionState latest;
+
     private RunStatus status;
 
     RunRecorder(
@@ -43,6 +49,7 @@ final class RunRecorder implements EvolutionObserver {
             RunLock lock,
             CommitGate gate,
             RunMonitor monitor,
+            CheckpointSchedule checkpoints,
             RunStatus status) {
         this.task = task;
         this.folder = folder;
@@ -51,6 +58,7 @@ final class RunRecorder implements EvolutionObserver {
         this.lock = lock;
         this.gate = gate;
         this.monitor = monitor;
+        this.checkpoints = checkpoints;
         this.status = status;
         table = new GenerationTable(task);
     }
@@ -58,6 +66,14 @@ final class RunRecorder implements EvolutionObserver {
     /** The last status that was written. */
     RunStatus status() {
         return status;
+    }
+
+    /** The best champion score among parents. */
+    double bestScore(List<Individual> parents) {
+        return parents.stream()
+                .mapToDouble(parent -> task.championScore(parent.evaluation()))
+                .max()
+                .orElse(Double.NEGATIVE_INFINITY);
     }
 
     @Override
@@ -68,14 +84,20 @@ final class RunRecorder implements EvolutionObserver {
     @Override
     public void generationCompleted(Generation generation, EvolutionState next) {
         completedHere++;
+        files.generationCompleted(generation, next);
+        folder.append(RunLayout.GENERATIONS, (generation.number() == 0 ? table.header() : "") + table.row(generation));
+        latest = next;
+        boolean isLast = next.generation() >= status.generations();
+        if (!checkpoints.isDue(next.generation(), isLast)) {
+            announce(generation, next.generation());
+            return;
+        }
         commit(() -> {
-            files.generationCompleted(generation, next);
-            folder.append(
-                    RunLayout.GENERATIONS, (generation.number() == 0 ? table.header() : "") + table.row(generation));
             folder.write(
                     RunLayout.CHAMPION,
                     GenotypeJson.write(generation.champion(task).genotype()));
-            saveCheckpoint(next);
+            saveCheckpoint(next, isLast);
+            checkpoints.done();
             record(generation, next.generation(), RunStatus.State.RUNNING);
         });
     }
@@ -83,6 +105,10 @@ final class RunRecorder implements EvolutionObserver {
     @Override
     public void completed(Generation finalParents) {
         commit(() -> {
+            if (latest != null && latest.generation() < status.generations()) {
+                // The run ends before its last generation.
+                saveCheckpoint(latest, true);
+            }
             files.completed(finalParents);
             folder.append(
                     RunLayout.GENERATIONS,
@@ -94,13 +120,15 @@ final class RunRecorder implements EvolutionObserver {
         });
     }
 
-    private void saveCheckpoint(EvolutionState next) throws IOException {
-        Map<String, Long> logs = folder.flush();
+    private void saveCheckpoint(EvolutionState next, boolean isLast) throws IOException {
         // The last one must be good for continuing with more generations, when later files have replaced some that it
         // knows.
-        boolean isLast = next.generation() >= status.generations();
-        if (isLast || forcing.isDue(folder.unforced().count())) {
+        boolean syncs = isLast || forcing.isDue(folder.unforced().count());
+        if (syncs) {
             files.writeNewestNetworks(next);
+        }
+        Map<String, Long> logs = folder.flush();
+        if (syncs) {
             folder.force();
             forcing.done();
         }
@@ -108,20 +136,27 @@ final class RunRecorder implements EvolutionObserver {
     }
 
     private void record(Generation generation, int completed, RunStatus.State state) throws IOException {
-        double[] scores = GenerationTable.scores(task, generation);
-        double best = scores[scores.length - 1];
-        double median = GenerationTable.median(scores);
-        monitor.generationCompleted(completed, best, median);
+        Score score = announce(generation, completed);
         status = new RunStatus(
                 state,
                 completed,
-                status.generations(),
-                best,
-                median,
+                state == RunStatus.State.FINISHED ? completed : status.generations(),
+                score.best(),
+                score.median(),
                 monitor.stepsPerSecond(),
                 completedHere == 0 ? 0 : monitor.seconds() / completedHere,
                 null);
         status.write(folder.directory());
+    }
+
+    /** The champion's score and the median score of a generation's parents. */
+    private record Score(double best, double median) {}
+
+    private Score announce(Generation generation, int completed) {
+        double[] scores = GenerationTable.scores(task, generation);
+        Score score = new Score(scores[scores.length - 1], GenerationTable.median(scores));
+        monitor.generationCompleted(completed, score.best(), score.median());
+        return score;
     }
 
     private void commit(CommitGate.Commit commit) {

@@ -13,6 +13,7 @@ import mmneat.evolution.Evolution;
 import mmneat.evolution.EvolutionSettings;
 import mmneat.evolution.EvolutionState;
 import mmneat.evolution.ParallelEvaluator;
+import mmneat.evolution.ScoreKeepingEvaluator;
 import mmneat.evolution.SequentialEvaluator;
 import mmneat.evolution.Task;
 import mmneat.experiment.FileErrors;
@@ -69,7 +70,7 @@ final class RunWorker {
     private RunOutcome outcome() {
         try {
             Optional<RunStatus> status = RunStatus.read(run.directory());
-            if (status.isPresent() && status.get().isFinished(run.generations())) {
+            if (status.isPresent() && run.isFinished(status.get())) {
                 return new RunOutcome(run, RunMonitor.Phase.ALREADY_FINISHED, status.get(), null, null);
             }
             return evolveLocked();
@@ -134,6 +135,7 @@ final class RunWorker {
             parametersFile.requireSame(run.parameters());
         }
         Task task = tasks.get();
+        requireDeterminism(task);
         EvolutionSettings settings = EvolutionParameters.settings(run.parameters(), task);
         RunFolder folder = new RunFolder(run.directory(), run.prefix());
         RunFiles files = new RunFiles(folder, task, files(settings));
@@ -146,10 +148,22 @@ final class RunWorker {
         RunStatus status = new RunStatus(
                 RunStatus.State.RUNNING, state.generation(), run.generations(), Double.NaN, Double.NaN, 0, 0, null);
         status.write(run.directory());
-        RunRecorder recorder = new RunRecorder(task, folder, files, checkpoint, lock, gate, monitor, status);
+        CheckpointSchedule checkpoints =
+                CheckpointSchedule.of(run.parameters().text("checkpointEvery"), System::nanoTime);
+        RunRecorder recorder =
+                new RunRecorder(task, folder, files, checkpoint, lock, gate, monitor, checkpoints, status);
         monitor.started(state.generation());
         evolve(settings, state, task, recorder);
         return new RunOutcome(run, RunMonitor.Phase.FINISHED, recorder.status(), null, null);
+    }
+
+    private void requireDeterminism(Task task) {
+        if (run.parameters().flag("keepScores") && !task.isDeterministic()) {
+            throw new UserError(
+                    "keepScores=true: the scores of task=" + run.parameters().text("task")
+                            + " depend on chance, so parents must be evaluated again; leave it out, or let isDeterministic() of"
+                            + " the task return true");
+        }
     }
 
     private EvolutionState begin(
@@ -159,12 +173,14 @@ final class RunWorker {
         if (saved.isEmpty()) {
             EvolutionState initial = EvolutionState.initial(settings);
             files.begin(initial);
+            folder.flush();
             return initial;
         }
         Checkpoint last = saved.get();
         run.requireAtLeast(last.evolution().generation());
         folder.cutTo(last.logs());
         files.writeNewestNetworks(last.evolution());
+        folder.flush();
         if (!last.wasForced()) {
             DurableFiles.force(last.unforced().keySet().stream()
                     .map(run.directory()::resolve)
@@ -185,16 +201,20 @@ final class RunWorker {
     private void evolve(EvolutionSettings settings, EvolutionState state, Task task, RunRecorder recorder) {
         if (run.parameters().flag("parallelEvaluations")) {
             try (ParallelEvaluator evaluator = new ParallelEvaluator(tasks, evaluationThreads, run.seed())) {
-                evolve(settings, state, evaluator, recorder);
+                evolve(settings, state, withKeptScores(evaluator), recorder);
             }
         } else {
-            evolve(settings, state, new SequentialEvaluator(task), recorder);
+            evolve(settings, state, withKeptScores(new SequentialEvaluator(task)), recorder);
         }
     }
 
-    private static void evolve(
-            EvolutionSettings settings, EvolutionState state, Evaluator evaluator, RunRecorder recorder) {
-        new Evolution(settings, state, evaluator, recorder).run();
+    private Evaluator withKeptScores(Evaluator evaluator) {
+        return run.parameters().flag("keepScores") ? new ScoreKeepingEvaluator(evaluator) : evaluator;
+    }
+
+    private void evolve(EvolutionSettings settings, EvolutionState state, Evaluator evaluator, RunRecorder recorder) {
+        double stopAt = run.stopAt();
+        new Evolution(settings, state, evaluator, recorder, parents -> recorder.bestScore(parents) >= stopAt).run();
     }
 
     private RunOutcome failed(String message, Throwable failure) {

@@ -136,9 +136,7 @@ public record Study(List<Part> parts, List<String> remarks) {
 
         private static boolean isFinished(RunPlan run) {
             try {
-                return RunStatus.read(run.directory())
-                        .filter(status -> status.isFinished(run.generations()))
-                        .isPresent();
+                return RunStatus.read(run.directory()).filter(run::isFinished).isPresent();
             } catch (IOException e) {
                 throw new UserError(run.directory() + ": cannot be read: " + FileErrors.reason(e), e);
             }

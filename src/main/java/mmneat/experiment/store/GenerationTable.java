@@ -16,6 +16,8 @@ import mmneat.evolution.Task;
  */
 public final class GenerationTable {
 
+    private static final CsvMapper CSV = new CsvMapper();
+
     private final Task task;
 
     public GenerationTable(Task task) {
@@ -68,7 +70,7 @@ public final class GenerationTable {
 
     private static String line(List<String> fields) {
         try {
-            return new CsvMapper().writeValueAsString(fields.toArray(new String[0]));
+            return CSV.writeValueAsString(fields.toArray(new String[0]));
         } catch (JsonProcessingException e) {
             throw new IllegalStateException("not writable as CSV: " + Arrays.toString(fields.toArray()), e);
         }

@@ -6,20 +6,22 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
 /**
  * The files of one run, kept so that they always belong to a complete generation.
  *
- * <p>Whole files ({@link #write}) are there at once and complete. Rows of logs ({@link #append}) are held back and reach their
- * files together ({@link #flush}), just before the checkpoint that remembers the lengths is written. After a crash the logs
- * are cut back to the lengths of the checkpoint that is there ({@link #cutTo}); what was written since is made again.
+ * <p>Files ({@link #write}) and rows of logs ({@link #append}) are held in memory and written together ({@link #flush}), just
+ * before the checkpoint that records the lengths of the logs. After a crash the logs are cut back to the lengths in the
+ * checkpoint ({@link #cutTo}), and later generations are evolved again.
  *
  * <p>When the operating system puts it all on the disk is its own affair until {@link #force}: waiting for a disk file by file
  * takes longer than many a generation. Until then {@link #unforced} tells by checksums what a failure of the machine may lose.
@@ -33,7 +35,12 @@ public final class RunFolder {
 
     private final Path directory;
     private final String prefix;
+    /** Text to append, by the name of the log. */
     private final Map<String, StringBuilder> held = new TreeMap<>();
+
+    /** Contents of files to write, by name, in the order in which they were first given. */
+    private final Map<String, Supplier<byte[]>> heldFiles = new LinkedHashMap<>();
+
     private final Map<String, Long> lengths = new TreeMap<>();
 
     private final UnsyncedFiles unforced;
@@ -61,15 +68,24 @@ public final class RunFolder {
         return prefix;
     }
 
-    /** Writes a file, replacing it if it exists. */
+    /** Writes a file at the next {@link #flush}, replacing it if it exists. */
     public void write(String name, String content) {
         write(name, content.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Writes a file, replacing it if it exists. */
+    /** Writes a file at the next {@link #flush}, replacing it if it exists. */
     public void write(String name, byte[] content) {
-        replace(name, content);
-        unforced.replaced(name, content);
+        write(name, () -> content);
+    }
+
+    /**
+     * Writes a file at the next {@link #flush}, replacing it if it exists. A file that is written several times before that is
+     * made once, with its last content.
+     *
+     * @param content makes the content, for example from an immutable genotype
+     */
+    public void write(String name, Supplier<byte[]> content) {
+        heldFiles.put(name, content);
     }
 
     /**
@@ -107,6 +123,7 @@ public final class RunFolder {
 
     /** Deletes a folder of the run with the files in it, if it is there. */
     public void deleteFolder(String name) {
+        heldFiles.keySet().removeIf(file -> file.startsWith(name + "/"));
         Path folder = directory.resolve(name);
         if (!Files.isDirectory(folder)) {
             return;
@@ -125,11 +142,17 @@ public final class RunFolder {
     }
 
     /**
-     * Puts all text that was added into the logs.
+     * Writes all files and all added text of logs that are held in memory.
      *
      * @return the length in bytes of every log, for {@link #cutTo}
      */
     public Map<String, Long> flush() {
+        heldFiles.forEach((name, content) -> {
+            byte[] bytes = content.get();
+            replace(name, bytes);
+            unforced.replaced(name, bytes);
+        });
+        heldFiles.clear();
         held.forEach((name, text) -> {
             byte[] content = text.toString().getBytes(StandardCharsets.UTF_8);
             long length = lengths.getOrDefault(name, 0L);
@@ -178,6 +201,7 @@ public final class RunFolder {
      */
     public void cutTo(Map<String, Long> checkpointLengths) {
         held.clear();
+        heldFiles.clear();
         lengths.clear();
         lengths.putAll(checkpointLengths);
         lengths.forEach((name, length) -> {

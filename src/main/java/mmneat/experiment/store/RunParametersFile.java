@@ -31,11 +31,12 @@ import mmneat.mspacman.TaskVersion;
 public final class RunParametersFile {
 
     /** What somebody asks for, but no property of the run. */
-    private static final Set<String> NOT_OF_THE_RUN = Set.of("runs", "run", "config", "quiet", "threads");
+    private static final Set<String> NOT_OF_THE_RUN =
+            Set.of("runs", "run", "config", "quiet", "threads", "checkpointEvery");
 
     /** What may differ when a run is continued: where things are, and how far it goes. */
     private static final Set<String> MAY_CHANGE =
-            Set.of("base", "saveTo", "jar", Tasks.GHOST_LOCATIONS, "maxGens", "method");
+            Set.of("base", "saveTo", "jar", Tasks.GHOST_LOCATIONS, "maxGens", "method", "stopAt", "keepScores");
 
     private static final Set<String> FOLLOW_FROM_OTHERS = Set.of("method", "jar");
 

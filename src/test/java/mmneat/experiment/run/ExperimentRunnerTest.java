@@ -32,6 +32,8 @@ import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whole experiments with a small task of somebody's own. */
 class ExperimentRunnerTest {
@@ -144,14 +146,16 @@ class ExperimentRunnerTest {
                 .isNotEqualTo(content(folder.resolve("exact/1M0")).get("generations.csv"));
     }
 
-    @Test
-    void haltedAtAnyMoment_andContinued_isAsIfNeverStopped() throws Exception {
-        run("whole", "maxGens=12", "method=MMD");
+    @ParameterizedTest
+    @ValueSource(strings = {"auto", "1", "5"})
+    void haltedAtAnyMoment_andContinued_isAsIfNeverStopped(String checkpointEvery) throws Exception {
+        run("whole", "maxGens=12", "method=MMD", "checkpointEvery=1");
         ExecutorService other = Executors.newSingleThreadExecutor();
         int halted = 0;
         boolean complete = false;
         for (int session = 0; session < 100 && !complete; session++) {
-            ExperimentRunner experiment = new ExperimentRunner(plan("halted", "maxGens=12", "method=MMD"));
+            ExperimentRunner experiment = new ExperimentRunner(
+                    plan("halted", "maxGens=12", "method=MMD", "checkpointEvery=" + checkpointEvery));
             Future<List<RunOutcome>> running = other.submit(experiment::run);
             // Halts a little later in each session; wherever that is, the next one has to go on.
             long end = System.nanoTime() + session * session * 2_000_000L;
@@ -173,7 +177,8 @@ class ExperimentRunnerTest {
     @Test
     void unforcedFilesThatAFailingMachineLost_areMadeAgain_theSame() throws Exception {
         run("whole", "maxGens=30", "method=MMD");
-        ExperimentRunner experiment = new ExperimentRunner(plan("stopped", "maxGens=30", "method=MMD"));
+        ExperimentRunner experiment =
+                new ExperimentRunner(plan("stopped", "maxGens=30", "method=MMD", "checkpointEvery=1"));
         ExecutorService other = Executors.newSingleThreadExecutor();
         Future<List<RunOutcome>> running = other.submit(experiment::run);
         while (experiment.monitors().get(0).snapshot().generation() < 4) {

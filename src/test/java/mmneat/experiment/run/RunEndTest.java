@@ -83,8 +83,8 @@ class RunEndTest {
     }
 
     private ExperimentRunner experiment(String... words) {
-        List<String> all =
-                new ArrayList<>(List.of("task=" + EventfulTask.class.getName(), "mu=" + MU, "base=" + folder));
+        List<String> all = new ArrayList<>(
+                List.of("task=" + EventfulTask.class.getName(), "checkpointEvery=1", "mu=" + MU, "base=" + folder));
         all.addAll(Arrays.asList(words));
         return new ExperimentRunner(ExperimentPlan.of(
                 new ParameterReader(ParameterCatalogue.load()).read(all).parameters()));

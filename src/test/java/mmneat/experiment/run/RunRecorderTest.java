@@ -47,6 +47,7 @@ class RunRecorderTest {
                     lock,
                     new CommitGate(),
                     new RunMonitor(run, System::nanoTime),
+                    CheckpointSchedule.of("auto", System::nanoTime),
                     begun);
             new Evolution(settings, EvolutionState.initial(settings), new SequentialEvaluator(task), recorder).run();
             assertThat(recorder.status().isFinished(2)).isTrue();
