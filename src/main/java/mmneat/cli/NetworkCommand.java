@@ -97,7 +97,8 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
         if (NO_TASK.equals(task) || !LABELLED.contains(format)) {
             return NetworkLabels.NUMBERS;
         }
-        ChampionLabels labels = ChampionLabels.of(champion, Optional.ofNullable(task));
+        ChampionLabels labels =
+                ChampionLabels.of(champion, Optional.ofNullable(task).flatMap(TaskVersion::labelled));
         if (!labels.remark().isEmpty()) {
             notes().println("network: " + labels.remark());
             notes().flush();

@@ -99,7 +99,7 @@ final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
 
     @Override
     public void run() {
-        Champion champion = choice.read(file, "blended");
+        Champion champion = choice.read(file, TaskVersion.BLENDED.label());
         OutputFile.require("out", out);
         MsPacManTaskSettings settings = PlayerSettings.of(champion, task.version(), Rules.TRAINING, Optional.empty());
         if (settings.version() == TaskVersion.ISOLATED) {

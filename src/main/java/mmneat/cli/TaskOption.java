@@ -23,7 +23,7 @@ final class TaskOption {
                     + " network's inputs fit).")
     private String version;
 
-    Optional<String> version() {
-        return Optional.ofNullable(version);
+    Optional<TaskVersion> version() {
+        return Optional.ofNullable(version).flatMap(TaskVersion::labelled);
     }
 }

@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
@@ -98,7 +97,9 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
     @Override
     public void run() {
         List<String> versions = task == null ? TaskVersion.labels() : List.of(task);
-        ghosts.requireEffect(versions.contains("isolated"), "only the isolated version has recorded ghost locations");
+        ghosts.requireEffect(
+                versions.contains(TaskVersion.ISOLATED.label()),
+                "only the isolated version has recorded ghost locations");
         if (out != null) {
             OutputFile.require("out", out);
         }
@@ -125,8 +126,8 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
 
     private MsPacManTaskSettings settings(String version) {
         List<String> parameters = new ArrayList<>(List.of("task=" + version));
-        if (version.equals("isolated")) {
-            ghosts.readableFile().ifPresent(file -> parameters.add("mazePowerPillGhostMapping=" + file));
+        if (version.equals(TaskVersion.ISOLATED.label())) {
+            ghosts.readableFile().ifPresent(file -> parameters.add(Tasks.GHOST_LOCATIONS + "=" + file));
         }
         return ((MsPacManTask) Tasks.factory(new ParameterReader(ParameterCatalogue.load())
                                 .read(parameters)
@@ -171,7 +172,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
                     Numbers.decimal(rates.getStandardDeviation(), RATE_DECIMALS),
                     Numbers.decimal(rates.getMax(), RATE_DECIMALS),
                     percent(measurement.overlap()),
-                    measurement.version().name().toLowerCase(Locale.ROOT));
+                    measurement.version().label());
         }
         out.print(table.text());
         for (int i = 0; i < names.size(); i++) {

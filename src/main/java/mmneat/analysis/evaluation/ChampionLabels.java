@@ -8,6 +8,7 @@ import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.PublishedTask;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.io.NetworkLabels;
 
@@ -23,10 +24,10 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
      * The names that the champion's task gives. A task that cannot be found or made is no reason not to draw a network: then
      * everything is numbered, and the remark says why.
      *
-     * @param version blended, interleaved or isolated; if empty, that of the champion's run or what its inputs say
+     * @param version of the task; if empty, that of the champion's run or what its inputs say
      * @throws UserError if a version is given that the network does not suit
      */
-    public static ChampionLabels of(Champion champion, Optional<String> version) {
+    public static ChampionLabels of(Champion champion, Optional<TaskVersion> version) {
         try {
             Task task = ChampionTask.of(champion, version, Optional.empty());
             boolean guessed = version.isEmpty()

@@ -23,16 +23,16 @@ final class ChampionTask {
     /**
      * The task of a champion.
      *
-     * @param version blended, interleaved or isolated; if empty, that of the champion's run or what its inputs say
+     * @param version of the task; if empty, that of the champion's run or what its inputs say
      * @param ghostLocations file of ghost locations for the isolated version, if not that of the run
      * @throws UserError if the network does not suit the task, or the task cannot be made
      */
-    static Task of(Champion champion, Optional<String> version, Optional<Path> ghostLocations) {
+    static Task of(Champion champion, Optional<TaskVersion> version, Optional<Path> ghostLocations) {
         List<String> words = new ArrayList<>();
         if (isToldByRun(champion, version)) {
             words.add("config=" + champion.parametersFile().get());
         } else {
-            TaskVersion task = version.flatMap(TaskVersion::labelled).orElseGet(() -> version(champion));
+            TaskVersion task = version.orElseGet(() -> version(champion));
             words.add("task=" + task.label());
             words.add("method=" + method(champion.genotype(), task));
         }
@@ -50,7 +50,7 @@ final class ChampionTask {
     }
 
     /** Whether the parameters of its run say what the champion's task is. */
-    static boolean isToldByRun(Champion champion, Optional<String> version) {
+    static boolean isToldByRun(Champion champion, Optional<TaskVersion> version) {
         return version.isEmpty() && champion.parametersFile().isPresent();
     }
 

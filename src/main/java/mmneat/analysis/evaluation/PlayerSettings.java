@@ -5,6 +5,7 @@ import java.util.Optional;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
 
 /** Finds out how a champion senses and plays: from the parameters of its run, or from the published ones of a version. */
 public final class PlayerSettings {
@@ -14,19 +15,19 @@ public final class PlayerSettings {
     /**
      * The settings for a champion, one trial per evaluation.
      *
-     * @param version blended, interleaved or isolated; if empty, that of the champion's run or what its inputs say
+     * @param version of the task; if empty, that of the champion's run or what its inputs say
      * @param ghostLocations file of ghost locations for the isolated version, if not that of the run
      * @throws UserError if the network does not suit the version
      */
     public static MsPacManTaskSettings of(
-            Champion champion, Optional<String> version, Rules rules, Optional<Path> ghostLocations) {
+            Champion champion, Optional<TaskVersion> version, Rules rules, Optional<Path> ghostLocations) {
         return find(champion, version, rules, ghostLocations)
                 .orElseThrow(() -> new UserError(champion.file() + ": was not evolved to play Ms. Pac-Man"));
     }
 
     /** The same; empty if the champion was evolved for another task than Ms. Pac-Man. */
     public static Optional<MsPacManTaskSettings> find(
-            Champion champion, Optional<String> version, Rules rules, Optional<Path> ghostLocations) {
+            Champion champion, Optional<TaskVersion> version, Rules rules, Optional<Path> ghostLocations) {
         return ChampionTask.of(champion, version, ghostLocations) instanceof MsPacManTask task
                 ? Optional.of(task.settings()
                         .withRules(rules.from(task.settings().rules()))

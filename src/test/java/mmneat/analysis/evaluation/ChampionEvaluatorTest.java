@@ -16,6 +16,7 @@ import mmneat.evolution.Evaluation;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.io.GenotypeJson;
 import mmneat.neat.variation.InitialNetworks;
@@ -214,8 +215,8 @@ class ChampionEvaluatorTest {
     @Test
     void networkOfAnotherVersion_isAnErrorThatSaysWhatToDo() {
         Champion champion = Champion.read(run);
-        assertThatThrownBy(
-                        () -> PlayerSettings.of(champion, Optional.of("interleaved"), Rules.TRAINING, Optional.empty()))
+        assertThatThrownBy(() -> PlayerSettings.of(
+                        champion, Optional.of(TaskVersion.INTERLEAVED), Rules.TRAINING, Optional.empty()))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("30 inputs")
                 .hasMessageContaining("task=");

@@ -23,6 +23,7 @@ import mmneat.mspacman.EvaluationObserver;
 import mmneat.mspacman.GameEnd;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.TrialGame;
 import mmneat.neat.Genotype;
 import mmneat.neat.ModuleLayout;
@@ -207,7 +208,7 @@ class GameRecordingTest {
     void modulesOfADivision_bearTheirSituation() {
         MsPacManTaskSettings settings = PlayerSettings.of(
                 new Champion(network(1, ModuleLayout.multitask(3, 1)), Path.of("mt3.json"), Optional.empty(), Map.of()),
-                Optional.of("blended"),
+                Optional.of(TaskVersion.BLENDED),
                 Rules.TRAINING,
                 Optional.empty());
         assertThat(ChampionLabels.of(settings, ModuleLayout.multitask(3, 1)).modules())
