@@ -10,9 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.ChampionEvaluator;
@@ -22,7 +19,6 @@ import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
-import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.UserError;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -45,8 +41,6 @@ import picocli.CommandLine.Parameters;
             "",
         })
 final class EvaluateCommand extends ConsoleCommand implements Runnable {
-
-    private static final int PROGRESS_SECONDS = 5;
 
     @Parameters(
             arity = "0..*",
@@ -116,9 +110,12 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
         }
         int threads = this.threads == null ? Runtime.getRuntime().availableProcessors() : this.threads;
         try (ChampionEvaluator evaluator = new ChampionEvaluator(rules, games, seed, threads)) {
-            ScheduledExecutorService progress = progress(evaluator, (long) games * entries.size());
-            List<ChampionEvaluation> evaluations = evaluator.evaluate(entries);
-            progress.shutdownNow();
+            long all = (long) games * entries.size();
+            long start = System.nanoTime();
+            List<ChampionEvaluation> evaluations = ProgressTicker.during(
+                    notes(),
+                    () -> List.of(progressLine(evaluator, all, System.nanoTime() - start)),
+                    () -> evaluator.evaluate(entries));
             print(entries, evaluations);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -155,21 +152,6 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
             out().println(file);
         }
         out().flush();
-    }
-
-    private ScheduledExecutorService progress(ChampionEvaluator evaluator, long all) {
-        PrintWriter notes = notes();
-        long start = System.nanoTime();
-        ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(DaemonThreads.named("progress"));
-        clock.scheduleAtFixedRate(
-                () -> {
-                    notes.println(progressLine(evaluator, all, System.nanoTime() - start));
-                    notes.flush();
-                },
-                PROGRESS_SECONDS,
-                PROGRESS_SECONDS,
-                TimeUnit.SECONDS);
-        return clock;
     }
 
     private static String progressLine(ChampionEvaluator evaluator, long all, long nanoseconds) {

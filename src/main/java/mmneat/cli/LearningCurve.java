@@ -1,7 +1,6 @@
 package mmneat.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -42,10 +41,10 @@ final class LearningCurve {
                 new Experiment(plan.parameters().text("task"), plan.parameters().text("method"), plan.name(), runs);
         Figure figure = LearningCurveFigure.panels(experiment.version(), List.of(experiment), PublishedResults.read());
         Path svg = plan.base().resolve(plan.name() + "_learning-curve.svg");
-        Files.writeString(svg, figure.svg());
+        OutputFile.write(svg, figure.svg());
         Optional<byte[]> png = figure.png();
         if (png.isPresent()) {
-            Files.write(plan.base().resolve(plan.name() + "_learning-curve.png"), png.get());
+            OutputFile.write(plan.base().resolve(plan.name() + "_learning-curve.png"), png.get());
         }
         return Optional.of(svg);
     }

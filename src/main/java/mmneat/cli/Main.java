@@ -1,5 +1,10 @@
 package mmneat.cli;
 
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
@@ -18,6 +23,7 @@ import mmneat.experiment.UserError;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -75,7 +81,27 @@ public final class Main implements Callable<Integer> {
             main.getErr().flush();
             System.exit(ExitCode.USAGE);
         }
-        System.exit(main.execute(arguments));
+        StandardOutput output = new StandardOutput(new FileOutputStream(FileDescriptor.out));
+        System.setOut(new PrintStream(output, true, StandardOutput.encoding()));
+        System.exit(execute(main, output, arguments));
+    }
+
+    /**
+     * Runs a command and reports if its output could not be written. A pipe that was closed by its reader is no failure.
+     *
+     * @return the exit code of the command; 2 if it succeeded but its output could not be written
+     */
+    static int execute(CommandLine main, StandardOutput output, String... arguments) {
+        main.setOut(new PrintWriter(new OutputStreamWriter(output, StandardOutput.encoding()), true));
+        int code = main.execute(arguments);
+        main.getOut().flush();
+        Optional<IOException> failure = output.failure();
+        if (failure.isEmpty()) {
+            return code;
+        }
+        main.getErr().println("mmneat: standard output cannot be written: " + FileErrors.reason(failure.get()));
+        main.getErr().flush();
+        return code == ExitCode.OK ? ExitCode.USAGE : code;
     }
 
     /** The whole command line; tests set its output and error writers. */
@@ -101,6 +127,9 @@ public final class Main implements Callable<Integer> {
         line.setAllowOptionsAsOptionParameters(true);
         line.setPosixClusteredShortOptionsAllowed(false);
         line.setExpandAtFiles(false);
+        if (!Terminal.understandsEscapes()) {
+            line.setColorScheme(Help.defaultColorScheme(Help.Ansi.OFF));
+        }
         line.setExecutionStrategy(Main::checkAndRun);
         line.setExecutionExceptionHandler((failure, command, parsed) -> report(failure, command));
         line.setParameterExceptionHandler((mistake, arguments) -> report(mistake));

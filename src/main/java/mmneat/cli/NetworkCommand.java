@@ -44,6 +44,8 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
     /** The formats that name inputs. */
     private static final List<String> LABELLED = List.of("svg", "dot", "graphml");
 
+    private static final Path STANDARD_OUTPUT = Path.of("-");
+
     private static final String NO_TASK = "none";
 
     private static final class Tasks extends ArrayList<String> {
@@ -77,20 +79,27 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
                             + " xml: the original's form (default: by the ending of out=; without out=, svg).")
     private String format;
 
-    @Option(names = "out", paramLabel = "FILE", description = "File to write (default: standard output).")
+    @Option(
+            names = "out",
+            paramLabel = "FILE",
+            description = "File to write, or - for standard output (default: the names of network and format, in this"
+                    + " folder).")
     private Path out;
 
     @Override
     public void run() {
         Champion champion = choice.read(file, null);
-        String form = format != null ? format : out == null ? "svg" : formatOf(out);
+        boolean toScreen = out != null && out.equals(STANDARD_OUTPUT);
+        String form = format != null ? format : out == null || toScreen ? "svg" : formatOf(out);
         String text = convert(champion.genotype(), form, labels(champion, form));
-        if (out != null) {
-            OutputFile.write(out, text);
-        } else {
+        if (toScreen) {
             out().print(text);
-            out().flush();
+        } else {
+            Path target = out == null ? Path.of(champion.name() + "-network." + form) : out;
+            OutputFile.write(target, text);
+            out().println(target);
         }
+        out().flush();
     }
 
     private NetworkLabels labels(Champion champion, String format) {

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
+import mmneat.experiment.store.DurableFiles;
 
 /** Files that a user asked a command to write. */
 final class OutputFile {
@@ -36,14 +37,10 @@ final class OutputFile {
         write(file, text.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Writes bytes, making the folders on the way. */
+    /** Writes bytes, making the folders on the way. If that fails, an old file of this name stays as it is. */
     static void write(Path file, byte[] content) {
         try {
-            Path folder = file.toAbsolutePath().getParent();
-            if (folder != null) {
-                Files.createDirectories(folder);
-            }
-            Files.write(file, content);
+            DurableFiles.writeNamed(file, content);
         } catch (IOException e) {
             throw new UserError(file + ": cannot be written: " + FileErrors.reason(e), e);
         }

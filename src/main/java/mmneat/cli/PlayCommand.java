@@ -1,7 +1,9 @@
 package mmneat.cli;
 
 import java.io.File;
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
@@ -13,6 +15,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import mmneat.contest.entry.ControllerFactory;
 import mmneat.contest.entry.ControllerLoader;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.random.ResumableRandom;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
@@ -305,12 +308,25 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
 
         private void record(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
             if (timed) {
-                // The competition's method prints that it could not write, after the game.
-                OutputFile.write(recording, "");
-                executor.runGameTimedRecorded(game, player, team, view, recording.toString());
+                recordTimed(game, player, team);
                 return;
             }
             OutputFile.write(recording, executor.runGameRecorded(player, team, game) + System.lineSeparator());
+        }
+
+        /** The competition's method writes the file itself and only prints that it could not, so it gets a file of its own. */
+        private void recordTimed(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
+            try {
+                Path part = Files.createTempFile("mmneat", ".recording");
+                try {
+                    executor.runGameTimedRecorded(game, player, team, view, part.toString());
+                    OutputFile.write(recording, Files.readAllBytes(part));
+                } finally {
+                    Files.delete(part);
+                }
+            } catch (IOException e) {
+                throw new UserError("record=" + recording + ": " + FileErrors.reason(e), e);
+            }
         }
 
         private static void lookAtTheEnd() {

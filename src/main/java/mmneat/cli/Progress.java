@@ -4,57 +4,33 @@ import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
 import mmneat.analysis.statistics.Numbers;
-import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunMonitor;
 import mmneat.experiment.run.RunMonitor.Phase;
 import mmneat.experiment.run.RunMonitor.Snapshot;
-import picocli.CommandLine.Help.Ansi;
 
-/**
- * Shows how an experiment goes while it does. On a terminal a line for each run at work and one for all, kept up to date; in a
- * log file or on a dumb terminal the same lines now and then, ever more rarely.
- */
+/** The progress of an experiment: a line for each run at work and one for all runs; shown by a {@link ProgressTicker}. */
 final class Progress {
 
-    /** On a terminal more runs at work than this are not shown one by one. */
+    /** Maximum number of runs at work that have a line of their own. */
     private static final int MOST_LINES = 16;
 
-    private static final long TERMINAL_MILLIS = 500;
-    private static final Duration FIRST_PLAIN = Duration.ofSeconds(10);
-    private static final Duration LAST_PLAIN = Duration.ofMinutes(10);
-
-    private static final String UP_AND_CLEAR = "\u001b[1A\u001b[2K";
-
-    /** A line that is longer than the terminal is wide must not go on in the next: it could not be taken back line by line. */
-    private static final String WITHOUT_WRAPPING = "\u001b[?7l";
-
-    private static final String WRAPPING_AGAIN = "\u001b[?7h";
-
-    private final PrintWriter out;
     private final List<RunMonitor> monitors;
-    private final boolean isTerminal;
-    private final ScheduledExecutorService clock =
-            Executors.newSingleThreadScheduledExecutor(DaemonThreads.named("progress"));
+
+    /** Null if no progress is shown. */
+    private ProgressTicker ticker;
 
     private double portionAtStart = Double.NaN;
     private long startNanos;
-    private int linesOnTerminal;
-    private boolean isClosed;
 
-    private Progress(PrintWriter out, List<RunMonitor> monitors, boolean isTerminal) {
-        this.out = out;
+    private Progress(List<RunMonitor> monitors) {
         this.monitors = monitors;
-        this.isTerminal = isTerminal;
     }
 
-    /** Begins to show progress, unless it is to be quiet. */
+    /** Starts to show progress, unless {@code quiet}. */
     static Progress start(boolean quiet, PrintWriter out, ExperimentPlan plan, List<RunMonitor> monitors) {
-        Progress progress = new Progress(out, monitors, Ansi.AUTO.enabled());
+        Progress progress = new Progress(monitors);
         if (!quiet) {
             out.println(plan.name() + ": "
                     + (plan.runs().size() == 1
@@ -62,41 +38,9 @@ final class Progress {
                                     + plan.runs().get(0).directory()
                             : plan.runs().size() + " runs in " + plan.base()));
             out.flush();
-            progress.begin();
+            progress.ticker = ProgressTicker.start(out, progress::lines);
         }
         return progress;
-    }
-
-    private void begin() {
-        if (isTerminal) {
-            clock.scheduleAtFixedRate(this::redraw, TERMINAL_MILLIS, TERMINAL_MILLIS, TimeUnit.MILLISECONDS);
-        } else {
-            scheduleNote(FIRST_PLAIN);
-        }
-    }
-
-    private void scheduleNote(Duration after) {
-        Duration next = after.multipliedBy(2);
-        clock.schedule(
-                () -> {
-                    lines().forEach(out::println);
-                    out.flush();
-                    scheduleNote(next.compareTo(LAST_PLAIN) < 0 ? next : LAST_PLAIN);
-                },
-                after.toMillis(),
-                TimeUnit.MILLISECONDS);
-    }
-
-    private synchronized void redraw() {
-        if (isClosed) {
-            return;
-        }
-        List<String> lines = lines();
-        out.print(UP_AND_CLEAR.repeat(linesOnTerminal) + WITHOUT_WRAPPING);
-        lines.forEach(out::println);
-        out.print(WRAPPING_AGAIN);
-        out.flush();
-        linesOnTerminal = lines.size();
     }
 
     /** A line for each run at work, and one for all. */
@@ -171,14 +115,10 @@ final class Progress {
                 + " left";
     }
 
-    /** Stops showing progress; nothing is taken back on the terminal afterwards. */
-    synchronized void close() {
-        if (isClosed) {
-            return;
+    /** Stops showing progress. */
+    void close() {
+        if (ticker != null) {
+            ticker.close();
         }
-        isClosed = true;
-        clock.shutdownNow();
-        out.print(UP_AND_CLEAR.repeat(linesOnTerminal));
-        out.flush();
     }
 }

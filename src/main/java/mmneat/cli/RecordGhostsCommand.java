@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
@@ -35,7 +35,6 @@ import picocli.CommandLine.Parameters;
         })
 final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
 
-    private static final int PROGRESS_SECONDS = 5;
     private static final String WHERE_MISSING = "missing";
     private static final List<String> MAZES = List.of("a", "b", "c", "d");
 
@@ -107,7 +106,8 @@ final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
                     + " task=blended or task=interleaved, or another champion");
         }
         GhostLocationRecorder recorder = new GhostLocationRecorder(settings, champion.genotype(), situations, seed);
-        play(recorder);
+        AtomicReference<String> line = new AtomicReference<>("record-ghosts: 0 games");
+        ProgressTicker.during(notes(), () -> List.of(line.get()), () -> play(recorder, line));
         if (!recorder.isComplete()) {
             Path part = Path.of(out + ".incomplete");
             OutputFile.write(part, recorder.text());
@@ -122,19 +122,13 @@ final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
         lines.flush();
     }
 
-    private void play(GhostLocationRecorder recorder) {
-        PrintWriter notes = notes();
-        long interval = TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
-        long nextProgress = System.nanoTime() + interval;
+    private GhostLocationRecorder play(GhostLocationRecorder recorder, AtomicReference<String> line) {
+        boolean whereMissing = start.equals(WHERE_MISSING);
         while (!recorder.isComplete() && recorder.games() < games) {
-            boolean whereMissing = start.equals(WHERE_MISSING);
             recorder.playGame(whereMissing ? recorder.scarcestMaze() : MAZES.indexOf(start));
-            if (System.nanoTime() > nextProgress) {
-                nextProgress += interval;
-                notes.println("record-ghosts: " + recorder.games() + " games, " + recorder.recorded() + " of "
-                        + recorder.wantedInAll() + " situations, fewest: " + recorder.scarcestPowerPill());
-                notes.flush();
-            }
+            line.set("record-ghosts: " + recorder.games() + " games, " + recorder.recorded() + " of "
+                    + recorder.wantedInAll() + " situations, fewest: " + recorder.scarcestPowerPill());
         }
+        return recorder;
     }
 }

@@ -3,7 +3,6 @@ package mmneat.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.URISyntaxException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -253,11 +252,9 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
         target.flush();
     }
 
-    private static Path write(Path file, String text) throws IOException {
-        if (file.getParent() != null) {
-            Files.createDirectories(file.getParent());
-        }
-        return Files.writeString(file, text, StandardCharsets.UTF_8);
+    private static Path write(Path file, String text) {
+        OutputFile.write(file, text);
+        return file;
     }
 
     /** The jar that this program runs from: the jobs run the same. */

@@ -5,9 +5,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
-import java.util.function.IntConsumer;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
+import mmneat.analysis.statistics.CsvText;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
 import mmneat.analysis.tasks.Episode;
@@ -47,7 +47,6 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
             "threats (a ghost outside the lair is not edible), edible (a ghost is edible), pills (pills or"
                     + " power pills are left), noPills; or a division among modules, whose modules are the tasks.";
 
-    private static final int PROGRESS_SECONDS = 5;
     private static final int RATE_DECIMALS = 5;
 
     @Option(
@@ -103,8 +102,16 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
         if (out != null) {
             OutputFile.require("out", out);
         }
-        StringBuilder csv = new StringBuilder(
-                "task,predicates,player,game,steps,switches,thrashing_rate,overlapping_steps,score\n");
+        CsvText csv = new CsvText(
+                "task",
+                "predicates",
+                "player",
+                "game",
+                "steps",
+                "switches",
+                "thrashing_rate",
+                "overlapping_steps",
+                "score");
         for (String version : versions) {
             MsPacManTaskSettings settings = settings(version);
             TaskDivision division =
@@ -113,14 +120,14 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
             List<String> names = List.of((players == null ? NetworkPlayer.SHIPPED + version : players).split(","));
             List<TaskMeasurement> measured = new ArrayList<>();
             for (String name : names) {
-                TaskMeasurement measurement = meter.measure(player(name), games, seed, progress(version, name));
+                TaskMeasurement measurement = measure(meter, version, name);
                 measured.add(measurement);
                 append(csv, version, name, measurement);
             }
             print(version, division, names, measured);
         }
         if (out != null) {
-            OutputFile.write(out, csv.toString());
+            OutputFile.write(out, csv.text());
         }
     }
 
@@ -143,17 +150,12 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
         return new ControllerLoader(List.of()).pacMan(name)::create;
     }
 
-    private IntConsumer progress(String version, String name) {
-        PrintWriter notes = notes();
-        long interval = TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
-        long[] next = {System.nanoTime() + interval};
-        return played -> {
-            if (System.nanoTime() > next[0]) {
-                next[0] += interval;
-                notes.println("tasks: " + version + ", " + name + ": " + played + " of " + games + " trials");
-                notes.flush();
-            }
-        };
+    private TaskMeasurement measure(TaskMeter meter, String version, String player) {
+        AtomicInteger played = new AtomicInteger();
+        return ProgressTicker.during(
+                notes(),
+                () -> List.of("tasks: " + version + ", " + player + ": " + played + " of " + games + " trials"),
+                () -> meter.measure(player(player), games, seed, played::set));
     }
 
     private void print(String version, TaskDivision division, List<String> names, List<TaskMeasurement> measured) {
@@ -218,25 +220,19 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
         return Numbers.decimal(100 * share, 1) + " %";
     }
 
-    private static void append(StringBuilder csv, String version, String name, TaskMeasurement measurement) {
+    private static void append(CsvText csv, String version, String name, TaskMeasurement measurement) {
         int game = 0;
         for (Episode episode : measurement.episodes()) {
-            csv.append(String.join(
-                            ",",
-                            version,
-                            quoted(measurement.division().name()),
-                            quoted(name),
-                            String.valueOf(game++),
-                            String.valueOf(episode.steps()),
-                            String.valueOf(episode.switches()),
-                            String.valueOf(episode.thrashingRate()),
-                            String.valueOf(episode.overlapping()),
-                            String.valueOf(episode.score())))
-                    .append('\n');
+            csv.row(
+                    version,
+                    measurement.division().name(),
+                    name,
+                    game++,
+                    episode.steps(),
+                    episode.switches(),
+                    episode.thrashingRate(),
+                    episode.overlapping(),
+                    episode.score());
         }
-    }
-
-    private static String quoted(String text) {
-        return text.contains(",") || text.contains("\"") ? '"' + text.replace("\"", "\"\"") + '"' : text;
     }
 }

@@ -4,7 +4,9 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.atomic.AtomicReference;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.replay.GameGif;
@@ -130,8 +132,17 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
     private void writeGif(Path out, Champion champion, MsPacManTaskSettings settings) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         int frames;
+        AtomicReference<String> line = new AtomicReference<>("watch: playing");
         try {
-            frames = GameGif.write(settings, champion.genotype(), seed, bytes);
+            frames = ProgressTicker.during(
+                    notes(),
+                    () -> List.of(line.get()),
+                    () -> GameGif.write(
+                            settings,
+                            champion.genotype(),
+                            seed,
+                            bytes,
+                            (drawn, all) -> line.set("watch: frame " + drawn + " of about " + all)));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -25,6 +25,10 @@ public final class FileErrors {
         if (e instanceof FileSystemException failure && failure.getReason() != null) {
             return failure.getReason();
         }
+        if (e.getClass() == IOException.class && e.getMessage() != null) {
+            // The operating system's own words, such as "No space left on device".
+            return e.getMessage();
+        }
         return e.getClass().getSimpleName() + ": " + e.getMessage();
     }
 

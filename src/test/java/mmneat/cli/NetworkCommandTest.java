@@ -32,8 +32,8 @@ class NetworkCommandTest extends CommandTest {
     }
 
     @Test
-    void network_isDrawnAsSvg_ifNothingElseIsSaid() {
-        assertThat(execute("network", file.toString())).isZero();
+    void network_isDrawnAsSvg_byDefault() {
+        assertThat(execute("network", file.toString(), "out=-")).isZero();
         assertThat(out.toString()).startsWith("<svg").contains("Network 7: 3 inputs");
     }
 
@@ -44,14 +44,27 @@ class NetworkCommandTest extends CommandTest {
         assertThat(execute("network", file.toString(), "out=" + xml)).isZero();
 
         assertThat(GenotypeFiles.read(xml)).isEqualTo(NETWORK);
-        assertThat(out.toString()).isEmpty();
+        assertThat(out.toString().strip()).isEqualTo(xml.toString());
+    }
+
+    @Test
+    void network_isWrittenToAFile_whoseNameIsPrinted() throws IOException {
+        Path written = Path.of("champion-blended-network.svg");
+        try {
+            assertThat(execute("network", "champion=blended")).isZero();
+            assertThat(out.toString().strip()).isEqualTo(written.toString());
+            assertThat(written).content().startsWith("<svg");
+        } finally {
+            Files.deleteIfExists(written);
+        }
     }
 
     @Test
     void format_canBeNamed() {
-        assertThat(execute("network", file.toString(), "format=dot")).isZero();
+        assertThat(execute("network", file.toString(), "format=dot", "out=-")).isZero();
         assertThat(out.toString()).startsWith("digraph");
-        assertThat(execute("network", file.toString(), "format=graphml")).isZero();
+        assertThat(execute("network", file.toString(), "format=graphml", "out=-"))
+                .isZero();
         assertThat(out.toString()).contains("<graphml");
     }
 
@@ -68,12 +81,12 @@ class NetworkCommandTest extends CommandTest {
                 run.resolve("champion.json"),
                 GenotypeJson.write(new InitialNetworks(30, ModuleLayout.withPreferenceNeurons(2, 1))
                         .create(1, new ResumableRandom(5))));
-        assertThat(execute("network", run.toString())).isZero();
+        assertThat(execute("network", run.toString(), "out=-")).isZero();
         assertThat(out.toString()).contains("Ghost 4 approaching", "module 2");
         assertThat(errors.toString()).isEmpty();
 
         Path alone = Files.copy(champion, folder.resolve("alone.json"));
-        assertThat(execute("network", alone.toString())).isZero();
+        assertThat(execute("network", alone.toString(), "out=-")).isZero();
         assertThat(errors.toString()).startsWith("network: inputs named as in task=blended, which has as many");
         assertThat(execute("network", alone.toString(), "task=isolated")).isEqualTo(2);
         assertThat(errors.toString()).contains("30 inputs, but this version of the task has 26 sensors");
@@ -81,11 +94,11 @@ class NetworkCommandTest extends CommandTest {
 
     @Test
     void inputs_ofAnUnknownTask_areNumbered_andTheReasonIsTold() {
-        assertThat(execute("network", file.toString())).isZero();
+        assertThat(execute("network", file.toString(), "out=-")).isZero();
         assertThat(out.toString()).contains("input 2", "module 1");
         assertThat(errors.toString().lines()).hasSize(1);
         assertThat(errors.toString()).startsWith("network: inputs are numbered: ");
-        assertThat(execute("network", file.toString(), "task=none")).isZero();
+        assertThat(execute("network", file.toString(), "task=none", "out=-")).isZero();
         assertThat(errors.toString()).isEmpty();
     }
 

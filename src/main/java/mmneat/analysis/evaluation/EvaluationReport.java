@@ -1,7 +1,7 @@
 package mmneat.analysis.evaluation;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,6 +14,7 @@ import mmneat.evolution.SampleStatistics;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DoubleText;
+import mmneat.experiment.store.DurableFiles;
 import mmneat.experiment.store.RunLayout;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;
@@ -65,7 +66,8 @@ public final class EvaluationReport implements EvaluationObserver {
         Path file = folder.resolve(RunLayout.evaluationReport(
                 RunLayout.prefixIn(folder), champion.genotype().id()));
         try {
-            Files.writeString(file, of(settings, champion.genotype(), games, Long.parseLong(seed)));
+            String report = of(settings, champion.genotype(), games, Long.parseLong(seed));
+            DurableFiles.writeNamed(file, report.getBytes(StandardCharsets.UTF_8));
         } catch (IOException e) {
             throw new UserError(file + ": cannot be written: " + FileErrors.reason(e), e);
         }

@@ -35,8 +35,24 @@ public final class GameGif implements EvaluationObserver {
     private String title;
     private int step;
     private int frames;
+    private final Progress progress;
+    private final int expectedFrames;
 
-    private GameGif(GifSequence sequence, int modules, int stepsPerFrame) {
+    /** Receives how far the picture is. */
+    public interface Progress {
+
+        /**
+         * Called after each frame.
+         *
+         * @param drawn frames so far
+         * @param expected frames in all, to within a few
+         */
+        void frame(int drawn, int expected);
+    }
+
+    private GameGif(GifSequence sequence, int modules, int stepsPerFrame, int expectedFrames, Progress progress) {
+        this.expectedFrames = expectedFrames;
+        this.progress = progress;
         this.sequence = sequence;
         this.modules = modules;
         this.stepsPerFrame = stepsPerFrame;
@@ -49,14 +65,16 @@ public final class GameGif implements EvaluationObserver {
      * @param seed of the trial's generator: the same seed gives the same games
      * @return number of frames
      */
-    public static int write(MsPacManTaskSettings settings, Genotype genotype, long seed, OutputStream out)
+    public static int write(
+            MsPacManTaskSettings settings, Genotype genotype, long seed, OutputStream out, Progress progress)
             throws IOException {
         MsPacManTask task = new MsPacManTask(settings.forSingleGames());
         long steps =
                 task.evaluate(genotype, new ResumableRandom(seed)).outcomes().steps();
         int stepsPerFrame = (int) Math.max(FEWEST_STEPS_PER_FRAME, 1 + steps / MOST_FRAMES);
         try (GifSequence sequence = new GifSequence(out)) {
-            GameGif gif = new GameGif(sequence, genotype.modules(), stepsPerFrame);
+            GameGif gif = new GameGif(
+                    sequence, genotype.modules(), stepsPerFrame, (int) (steps / stepsPerFrame) + 1, progress);
             task.evaluate(genotype, new ResumableRandom(seed), gif);
             return gif.frames;
         }
@@ -89,5 +107,6 @@ public final class GameGif implements EvaluationObserver {
         picture.draw(frame, SCALE, title);
         sequence.add(frame, centiseconds);
         frames++;
+        progress.frame(frames, Math.max(frames, expectedFrames));
     }
 }

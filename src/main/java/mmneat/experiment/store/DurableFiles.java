@@ -39,6 +39,20 @@ public final class DurableFiles {
     }
 
     /**
+     * Writes a file that a user named: the file behind a symbolic link is replaced and the link stays; a device or a pipe, such
+     * as {@code /dev/stdout}, is written to.
+     */
+    public static void writeNamed(Path file, byte[] content) throws IOException {
+        if (!Files.exists(file)) {
+            write(file, content);
+        } else if (Files.isRegularFile(file)) {
+            write(file.toRealPath(), content);
+        } else {
+            Files.write(file, content);
+        }
+    }
+
+    /**
      * Replaces a file at once, but leaves it to the operating system when it reaches the disk: the program may die at any
      * moment, but after a failure of the power the file may be empty unless {@link #force} was called.
      */
@@ -88,6 +102,10 @@ public final class DurableFiles {
                 StandardOpenOption.TRUNCATE_EXISTING)) {
             writeFully(channel, content);
             channel.force(true);
+        } catch (IOException e) {
+            // On a full disk the part that was written takes space and is of no use.
+            Files.deleteIfExists(unfinished);
+            throw e;
         }
         return unfinished;
     }

@@ -46,7 +46,8 @@ class GameGifTest {
     void picture_endsAsTheGameEnds_andIsSmall(String version) throws IOException {
         Champion champion = ShippedChampions.read(version);
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        int frames = GameGif.write(settings(version), champion.genotype(), 5, bytes);
+        int frames = GameGif.write(settings(version), champion.genotype(), 5, bytes, (drawn, all) -> assertThat(drawn)
+                .isBetween(1, all));
         assertThat(bytes.size()).isLessThan(MOST_BYTES);
 
         List<BufferedImage> painted = ends(settings(version), champion);
