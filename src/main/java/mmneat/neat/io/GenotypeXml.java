@@ -1,7 +1,9 @@
 package mmneat.neat.io;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
@@ -12,16 +14,41 @@ import mmneat.neat.NodeType;
 /**
  * The original's XML form of genotypes and archetypes.
  *
- * <p>What is written here reads in the original, and what the original wrote reads here, from either of the packages under
- * which it was published. Safe for files from strangers: no document types, no entities, no deep nests.
+ * <p>What is written here reads in the original. What the original and its later versions wrote reads here: from either of the
+ * packages under which it was published, with modules called "mode" (until May 2016) or "module", with complete or small genes. A
+ * feature of a later version that our networks do not have is refused by name. Safe for files from strangers: no document types,
+ * no entities, no deep nests.
  *
- * <p>Source: docs/specification/networks.md, section 12.
+ * <p>Source: docs/specification/networks.md, section 12; docs/genotype-format.md.
  */
 public final class GenotypeXml {
 
     private static final String GENOTYPE = "TWEANNGenotype";
     private static final String NODE = GENOTYPE + "$NodeGene";
     private static final String LINK = GENOTYPE + "$LinkGene";
+
+    /** Later versions call complete genes so, and may save small ones under the old names. */
+    private static final String FULL_NODE = GENOTYPE + "$FullNodeGene";
+
+    private static final String FULL_LINK = GENOTYPE + "$FullLinkGene";
+
+    private static final String[] OMITTED_BY_SMALL_NODES = {"fromCombiningCrossover", "frozen"};
+    private static final String[] OMITTED_BY_SMALL_LINKS = {"active", "recurrent", "frozen"};
+
+    /** What other classes of genotypes of the original's later versions stand for. */
+    private static final Map<String, String> FEATURES_OF_GENOTYPES = Map.of(
+            "HyperNEATCPPNGenotype", "networks that a CPPN makes (HyperNEAT)",
+            "HyperNEATCPPNAndXGenotype", "networks that a CPPN makes (HyperNEAT)",
+            "HierarchicalTWEANNGenotype", "hierarchical multitask networks",
+            "CombinedGenotype", "pairs of genotypes",
+            "MLPGenotype", "multilayer perceptrons",
+            "RealValuedGenotype", "vectors of numbers",
+            "BoundedRealValuedGenotype", "vectors of numbers",
+            "BoundedIntegerValuedGenotype", "vectors of numbers");
+
+    /** The largest code of a function of February 2016. */
+    private static final int MAX_FUNCTION = ActivationFunction.values().length - 1;
+
     private static final String PACKAGE = "edu.utexas.cs.nn.evolution.genotypes.";
 
     private GenotypeXml() {}
@@ -33,34 +60,37 @@ public final class GenotypeXml {
      */
     public static Genotype read(String xml) throws GenotypeFormatException {
         SerialisedObject object = SerialisedObject.parse(xml);
-        object.requireClass(GENOTYPE);
+        requireNetwork(object);
         object.requireNoFieldsBut(
                 "nodes",
                 "links",
                 "numIn",
                 "numOut",
                 "numModes",
+                "numModules",
                 "neuronsPerMode",
+                "neuronsPerModule",
                 "standardMultitask",
                 "hierarchicalMultitask",
                 "modeAssociations",
+                "moduleAssociations",
                 "modeUsage",
+                "moduleUsage",
                 "id",
+                "parents",
+                "smallerGenotypes",
                 "archetypeIndex");
         if (object.flag("hierarchicalMultitask")) {
             throw new GenotypeFormatException(
                     "hierarchicalMultitask: hierarchical multitask networks are not supported");
         }
-        List<LinkGene> links = new ArrayList<>();
-        for (SerialisedObject link : object.list("links")) {
-            links.add(linkOf(link));
-        }
         List<NodeGene> nodes = nodesOf(object.list("nodes"));
+        List<LinkGene> links = linksOf(object.list("links"), nodes);
         try {
             ModuleLayout layout = new ModuleLayout(
                     object.integer("numOut"),
-                    object.integer("numModes"),
-                    object.integer("neuronsPerMode"),
+                    object.integer(object.present("numModes", "numModules")),
+                    object.integer(object.present("neuronsPerMode", "neuronsPerModule")),
                     object.flag("standardMultitask"));
             return new Genotype(
                     object.longInteger("id"),
@@ -68,7 +98,7 @@ public final class GenotypeXml {
                     layout,
                     nodes,
                     links,
-                    object.integers("modeUsage"));
+                    object.integers(object.present("modeUsage", "moduleUsage")));
         } catch (IllegalArgumentException e) {
             throw new GenotypeFormatException(e.getMessage(), e);
         }
@@ -115,19 +145,20 @@ public final class GenotypeXml {
         return text.toString();
     }
 
+    private static void requireNetwork(SerialisedObject object) throws GenotypeFormatException {
+        String feature = FEATURES_OF_GENOTYPES.get(object.simpleClassName());
+        if (feature != null) {
+            throw new GenotypeFormatException("document: must be a " + GENOTYPE + ", is a " + object.simpleClassName()
+                    + ": " + feature + " are not supported");
+        }
+        object.requireClass(GENOTYPE);
+    }
+
     private static List<NodeGene> nodesOf(List<SerialisedObject> objects) throws GenotypeFormatException {
         List<NodeGene> nodes = new ArrayList<>();
         for (int i = 0; i < objects.size(); i++) {
-            SerialisedObject object = objects.get(i);
-            object.requireClass(NODE);
-            object.requireNoFieldsBut("ntype", "ftype", "fromCombiningCrossover", "innovation", "frozen");
             try {
-                nodes.add(new NodeGene(
-                        object.longInteger("innovation"),
-                        NodeType.ofCode(object.integer("ntype")),
-                        ActivationFunction.ofCode(object.integer("ftype")),
-                        object.flag("frozen"),
-                        object.flag("fromCombiningCrossover")));
+                nodes.add(nodeOf(objects.get(i), "nodes[" + i + "]"));
             } catch (IllegalArgumentException e) {
                 throw new GenotypeFormatException("nodes[" + i + "]: " + e.getMessage(), e);
             }
@@ -135,18 +166,67 @@ public final class GenotypeXml {
         return nodes;
     }
 
-    private static LinkGene linkOf(SerialisedObject object) throws GenotypeFormatException {
-        object.requireClass(LINK);
+    private static NodeGene nodeOf(SerialisedObject object, String place) throws GenotypeFormatException {
+        object.requireClass(NODE, FULL_NODE);
         object.requireNoFieldsBut(
-                "sourceInnovation", "targetInnovation", "weight", "active", "recurrent", "innovation", "frozen");
+                "ntype", "ftype", "bias", "moduleSource", "fromCombiningCrossover", "innovation", "frozen");
+        if (object.hasAnyOf("bias") && object.number("bias") != 0) {
+            throw new GenotypeFormatException(place + ".bias: is " + object.number("bias")
+                    + "; neurons with a bias, a feature of later versions of the original, are not supported");
+        }
+        NodeType type = NodeType.ofCode(object.integer("ntype"));
+        int function = object.integer("ftype");
+        if (function > MAX_FUNCTION) {
+            throw new GenotypeFormatException(place + ".ftype: is " + function
+                    + "; the activation functions that later versions of the original added are not supported");
+        }
+        boolean small = isSmall(object, NODE, OMITTED_BY_SMALL_NODES);
+        return new NodeGene(
+                object.longInteger("innovation"),
+                type,
+                ActivationFunction.ofCode(function),
+                !small && object.flag("frozen"),
+                !small && object.flag("fromCombiningCrossover"));
+    }
+
+    /** Small genes have none of the fields that complete ones have besides. */
+    private static boolean isSmall(SerialisedObject gene, String className, String... omitted) {
+        return gene.simpleClassName().equals(className) && !gene.hasAnyOf(omitted);
+    }
+
+    private static List<LinkGene> linksOf(List<SerialisedObject> objects, List<NodeGene> nodes)
+            throws GenotypeFormatException {
+        Map<Long, Integer> places = new HashMap<>();
+        nodes.forEach(node -> places.put(node.innovation(), places.size()));
+        List<LinkGene> links = new ArrayList<>();
+        for (SerialisedObject object : objects) {
+            links.add(linkOf(object, places));
+        }
+        return links;
+    }
+
+    private static LinkGene linkOf(SerialisedObject object, Map<Long, Integer> places) throws GenotypeFormatException {
+        object.requireClass(LINK, FULL_LINK);
+        object.requireNoFieldsBut(
+                "sourceInnovation",
+                "targetInnovation",
+                "weight",
+                "active",
+                "recurrent",
+                "moduleSource",
+                "innovation",
+                "frozen");
+        boolean small = isSmall(object, LINK, OMITTED_BY_SMALL_LINKS);
+        long source = object.longInteger("sourceInnovation");
+        long target = object.longInteger("targetInnovation");
         return new LinkGene(
                 object.longInteger("innovation"),
-                object.longInteger("sourceInnovation"),
-                object.longInteger("targetInnovation"),
+                source,
+                target,
                 object.number("weight"),
-                object.flag("active"),
-                object.flag("recurrent"),
-                object.flag("frozen"));
+                small || object.flag("active"),
+                small ? places.getOrDefault(target, 0) <= places.getOrDefault(source, 0) : object.flag("recurrent"),
+                !small && object.flag("frozen"));
     }
 
     private static void write(SerialisedText text, NodeGene node) {

@@ -73,11 +73,31 @@ final class SerialisedObject {
         return new SerialisedObject(path, type, fields, objectsById);
     }
 
-    /** Refuses an object of another class; packages do not matter, as the original was published under two. */
-    void requireClass(String simpleName) throws GenotypeFormatException {
-        if (!className.substring(className.lastIndexOf('.') + 1).equals(simpleName)) {
-            throw new GenotypeFormatException(at(path) + "must be a " + simpleName + ", is a " + className);
+    /** The name of the class without its package: the original was published under two. */
+    String simpleClassName() {
+        return className.substring(className.lastIndexOf('.') + 1);
+    }
+
+    /** Refuses an object of a class that has none of these simple names. */
+    void requireClass(String... simpleNames) throws GenotypeFormatException {
+        if (!Set.of(simpleNames).contains(simpleClassName())) {
+            throw new GenotypeFormatException(at(path) + "must be a " + simpleNames[0] + ", is a " + className);
         }
+    }
+
+    /** Whether the object has one of these fields. */
+    boolean hasAnyOf(String... names) {
+        return Set.of(names).stream().anyMatch(fields::containsKey);
+    }
+
+    /** The name by which a field is there: the first if none of them is. */
+    String present(String... names) {
+        for (String name : names) {
+            if (fields.containsKey(name)) {
+                return name;
+            }
+        }
+        return names[0];
     }
 
     /** Refuses fields that would be lost. */

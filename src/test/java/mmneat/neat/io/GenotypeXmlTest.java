@@ -5,10 +5,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.util.regex.Pattern;
+import java.util.zip.GZIPInputStream;
 import mmneat.GoldenData;
 import mmneat.neat.Genotype;
+import mmneat.neat.LinkGene;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.variation.GoldenGenotypes;
 import mmneat.neat.variation.InitialNetworks;
@@ -82,6 +86,79 @@ class GenotypeXmlTest {
         String xml = GenotypeXml.write(NETWORK).replace("edu.utexas.cs.nn.", "edu.southwestern.");
 
         assertThat(GenotypeXml.read(xml)).isEqualTo(NETWORK);
+    }
+
+    /** The fields of the original since 2016, under its later package. */
+    private static String later(String xml) {
+        return xml.replace("edu.utexas.cs.nn.", "edu.southwestern.")
+                .replace("$NodeGene", "$FullNodeGene")
+                .replace("$LinkGene", "$FullLinkGene")
+                .replace("\"numModes\"", "\"numModules\"")
+                .replace("\"neuronsPerMode\"", "\"neuronsPerModule\"")
+                .replace("\"modeAssociations\"", "\"moduleAssociations\"")
+                .replace("\"modeUsage\"", "\"moduleUsage\"")
+                .replace(
+                        "<field name=\"fromCombiningCrossover\"",
+                        "<field name=\"bias\" type=\"double\" value=\"0.0\" /><field name=\"fromCombiningCrossover\"")
+                .replace(
+                        "<field name=\"recurrent\"",
+                        "<field name=\"moduleSource\" type=\"int\" value=\"1\" /><field name=\"recurrent\"")
+                .replace(
+                        "<field name=\"archetypeIndex\"",
+                        "<field name=\"parents\"><object type=\"java.util.ArrayList\" id=\"999\"/></field>"
+                                + "<field name=\"smallerGenotypes\" type=\"boolean\" value=\"false\" />"
+                                + "<field name=\"archetypeIndex\"");
+    }
+
+    @Test
+    void laterFields_areRead() throws IOException {
+        assertThat(GenotypeXml.read(later(GenotypeXml.write(NETWORK)))).isEqualTo(NETWORK);
+    }
+
+    @Test
+    void fileOfOctober2016_isTheShippedChampion() throws IOException {
+        try (InputStream file = GenotypeXmlTest.class.getResourceAsStream("champion-of-2016-10.xml.gz");
+                InputStream champion =
+                        Genotype.class.getResourceAsStream("/mmneat/analysis/evaluation/champion-blended.json")) {
+            String xml = new String(new GZIPInputStream(file).readAllBytes(), StandardCharsets.UTF_8);
+
+            assertThat(GenotypeJson.write(GenotypeXml.read(xml)))
+                    .isEqualTo(new String(champion.readAllBytes(), StandardCharsets.UTF_8));
+        }
+    }
+
+    @Test
+    void smallGenes_areActive_andTheirOrderTellsWhichAreRecurrent() throws IOException {
+        String xml = GenotypeXml.write(NETWORK)
+                .replaceAll("<field name=\"(active|recurrent|frozen|fromCombiningCrossover)\"[^>]*>", "");
+
+        assertThat(GenotypeXml.read(xml)).isEqualTo(NETWORK);
+
+        String backwards = xml.replaceFirst("(sourceInnovation\" type=\"long\") value=\"-1\"", "$1 value=\"-6\"")
+                .replaceFirst("(targetInnovation\" type=\"long\") value=\"-4\"", "$1 value=\"-4\"");
+        assertThat(GenotypeXml.read(backwards).links()).anyMatch(LinkGene::recurrent);
+    }
+
+    @Test
+    void completeGenes_needAllFields() {
+        String xml = later(GenotypeXml.write(NETWORK)).replaceFirst("<field name=\"frozen\"[^>]*>", "");
+
+        assertThatThrownBy(() -> GenotypeXml.read(xml)).hasMessage("nodes[0].frozen: is missing");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    name="bias" type="double" value="0.0" | name="bias" type="double" value="0.5" | nodes[0].bias: is 0.5; neurons with a bias, a feature of later versions of the original, are not supported
+                    name="ftype" type="int" value="1"     | name="ftype" type="int" value="6"     | nodes[0].ftype: is 6; the activation functions that later versions of the original added are not supported
+                    genotypes.TWEANNGenotype" id="0"      | genotypes.HyperNEATCPPNGenotype" id="0" | document: must be a TWEANNGenotype, is a HyperNEATCPPNGenotype: networks that a CPPN makes (HyperNEAT) are not supported
+                    """)
+    void featuresOfLaterVersions_areRefused_byName(String good, String bad, String message) {
+        String xml = later(GenotypeXml.write(NETWORK));
+        assertThat(xml).contains(good);
+
+        assertThatThrownBy(() -> GenotypeXml.read(xml.replace(good, bad)))
+                .isInstanceOf(GenotypeFormatException.class)
+                .hasMessage(message);
     }
 
     @ParameterizedTest
