@@ -49,7 +49,7 @@ public final class MazeDistances {
         return distance[to * nodeCount + from];
     }
 
-    /** The table that the competition's {@code Maze} publishes: entry t (t + 1) / 2 + s for s <= t. */
+    /** The table that the competition's {@code Maze} publishes: entry t (t + 1) / 2 + s for {@code s <= t}. */
     public int[] triangular() {
         int[] half = new int[nodeCount * (nodeCount + 1) / 2];
         int next = 0;
