@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.File;
 import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.lang.module.ModuleFinder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -90,7 +90,12 @@ class LibraryJarsIT {
         assertThat(ModuleFinder.of(paths).findAll().stream()
                         .map(module -> module.descriptor().name()))
                 .containsExactlyInAnyOrder(
-                        "mmneat.random", "mmneat.simulator", "mmneat.neat", "mmneat.nsga2", "mmneat.evolution", "mmneat");
+                        "mmneat.random",
+                        "mmneat.simulator",
+                        "mmneat.neat",
+                        "mmneat.nsga2",
+                        "mmneat.evolution",
+                        "mmneat");
     }
 
     private static Path jar(String library) {

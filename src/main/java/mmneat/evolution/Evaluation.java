@@ -26,6 +26,11 @@ public record Evaluation(double[] objectives, double[] otherScores, int[] module
         Objects.requireNonNull(outcomes, "outcomes");
     }
 
+    /** An evaluation with neither other scores nor episodes. */
+    public static Evaluation of(int[] moduleUsage, double... objectives) {
+        return new Evaluation(objectives, new double[0], moduleUsage, Outcomes.NONE);
+    }
+
     /** Scores that are selected for (a copy). */
     @Override
     public double[] objectives() {

@@ -60,8 +60,8 @@ public final class Evolution {
             EvolutionObserver observer,
             Predicate<List<Individual>> isSolved) {
         if (state.population().size() != settings.populationSize()) {
-            throw new IllegalArgumentException("mu is " + settings.populationSize() + ", the state has a population of "
-                    + state.population().size());
+            throw new IllegalArgumentException("population size mismatch: " + settings.populationSize()
+                    + " in the settings, " + state.population().size() + " in the state");
         }
         this.settings = settings;
         this.evaluator = evaluator;
@@ -76,22 +76,30 @@ public final class Evolution {
         settings.tug().ifPresent(policy -> policy.requireFitting(tug));
     }
 
+    /** The evolution of networks for a task, to be set up: {@code Evolution.of(task).generations(50).seed(1).run()}. */
+    public static EvolutionSetup of(Task task) {
+        return new EvolutionSetup(task);
+    }
+
     /**
      * Evolves to the end.
      *
+     * @return the final parents, evaluated
      * @throws java.util.concurrent.CancellationException if the thread is interrupted; the observer has seen the last complete
      *     generation
      * @throws BadEvaluationException as {@link Evaluator#evaluate}
      * @throws IllegalStateException if an evaluation fails, or a module is to be added to a multitask network
      */
-    public void run() {
+    public Generation run() {
         List<Individual> parents = evaluateParents();
         while (generation < settings.generations() && !isSolved.test(parents)) {
             evolve(parents);
             parents = evaluateParents();
         }
-        observer.completed(new Generation(
-                generation, parents, List.of(), List.of(), pool.archetype().size()));
+        Generation last = new Generation(
+                generation, parents, List.of(), List.of(), pool.archetype().size());
+        observer.completed(last);
+        return last;
     }
 
     /** Completes the generation of evaluated parents. */

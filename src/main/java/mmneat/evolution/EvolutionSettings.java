@@ -3,20 +3,23 @@ package mmneat.evolution;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
+import mmneat.neat.ModuleLayout;
 import mmneat.neat.variation.InitialNetworks;
+import mmneat.neat.variation.MutationRates;
 import mmneat.neat.variation.VariationSettings;
+import mmneat.nsga2.Crowding;
 import mmneat.nsga2.ParentSelection;
 
 /**
- * What decides an evolution besides its task. The names in brackets are the parameters.
+ * What decides an evolution besides its task.
  *
  * <p>Source: docs/specification/evolution.md, sections 1 to 3.
  *
- * @param seed of the generator that serves everything ({@code randomSeed})
- * @param initialPopulationSeed of the initial population alone, if it is to differ ({@code initialPopulationSeed})
- * @param populationSize parents, and as many children ({@code mu})
- * @param generations how many times children are made ({@code maxGens})
- * @param cleanFrequency generations between cleanings of the archetype ({@code cleanFrequency})
+ * @param seed of the generator that serves everything
+ * @param initialPopulationSeed of the initial population alone, if it is to differ
+ * @param populationSize parents, and as many children
+ * @param generations how many times children are made
+ * @param cleanFrequency generations between cleanings of the archetype
  * @param initialNetworks the networks that evolution starts from
  * @param parentSelection how parents are chosen, and how survivors' crowding is measured
  * @param variation how offspring differ from their parents
@@ -40,8 +43,8 @@ public record EvolutionSettings(
      * @throws NullPointerException if a part is missing; the message names it
      */
     public EvolutionSettings {
-        requireAtLeast(1, "mu", populationSize);
-        requireAtLeast(0, "maxGens", generations);
+        requireAtLeast(1, "populationSize", populationSize);
+        requireAtLeast(0, "generations", generations);
         requireAtLeast(1, "cleanFrequency", cleanFrequency);
         Objects.requireNonNull(initialPopulationSeed, "initialPopulationSeed");
         Objects.requireNonNull(initialNetworks, "initialNetworks");
@@ -70,6 +73,23 @@ public record EvolutionSettings(
                 parentSelection,
                 variation,
                 Optional.empty());
+    }
+
+    /**
+     * The settings of the published experiments for networks that start with one module: 100 parents, 200 generations, seed 0.
+     *
+     * @throws IllegalArgumentException if the task has no inputs or no policy neurons
+     */
+    public static EvolutionSettings published(Task task) {
+        return new EvolutionSettings(
+                0,
+                OptionalInt.empty(),
+                100,
+                200,
+                10,
+                new InitialNetworks(task.inputs(), ModuleLayout.single(task.policyNeuronsPerModule())),
+                new ParentSelection(true, 0.5, Crowding.WHOLE_POPULATION),
+                new VariationSettings(MutationRates.PUBLISHED));
     }
 
     private static void requireAtLeast(int least, String name, int value) {

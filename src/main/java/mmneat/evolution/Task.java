@@ -1,6 +1,7 @@
 package mmneat.evolution;
 
 import java.util.List;
+import java.util.function.BiFunction;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
@@ -13,6 +14,22 @@ import mmneat.random.ResumableRandom;
  * <p>Source: docs/specification/evolution.md, section 1.3.
  */
 public interface Task {
+
+    /**
+     * A task whose evaluation is a function.
+     *
+     * @param objectives names of the objectives, all maximised
+     * @param inputs what each input of a network means
+     * @param policyNeuronsPerModule number of policy neurons in each output module of a network
+     * @param evaluation as {@link #evaluate}
+     */
+    static Task of(
+            List<String> objectives,
+            List<String> inputs,
+            int policyNeuronsPerModule,
+            BiFunction<Genotype, ResumableRandom, Evaluation> evaluation) {
+        return new FunctionTask(objectives, inputs, policyNeuronsPerModule, evaluation);
+    }
 
     /** Names of the objectives, all maximised, in the order of {@link Evaluation#objectives()}; at least one. */
     List<String> objectiveNames();

@@ -9,16 +9,21 @@ import mmneat.random.ResumableRandom;
  * @param <P> a parent
  * @param <C> a child, which may carry information on how it was made
  */
+@FunctionalInterface
 public interface Variation<P, C> {
 
     /** The child of one parent. */
     C fromOne(P parent, ResumableRandom random);
 
     /**
-     * The children of two parents, who may be the same.
+     * The children of two parents, who may be the same. Without an implementation of its own there is no crossover: the children are
+     * those of each parent alone.
      *
      * @param room how many children are wanted, at least 1
      * @return at least one child, at most {@code room}; the original makes two if there is room
      */
-    List<C> fromTwo(P parent, P mate, int room, ResumableRandom random);
+    default List<C> fromTwo(P parent, P mate, int room, ResumableRandom random) {
+        C first = fromOne(parent, random);
+        return room == 1 ? List.of(first) : List.of(first, fromOne(mate, random));
+    }
 }

@@ -240,7 +240,7 @@ class EvolutionTest {
                         settings.initialNetworks(),
                         settings.parentSelection(),
                         settings.variation()))
-                .hasMessage("mu must be at least 1, is 0");
+                .hasMessage("populationSize must be at least 1, is 0");
     }
 
     @Test
@@ -250,7 +250,7 @@ class EvolutionTest {
         EvolutionSettings six = settings(task, 6, 1, Crowding.PER_FRONT);
         assertThatThrownBy(() -> new Evolution(six, four, new SequentialEvaluator(task), new Recording()))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("mu is 6, the state has a population of 4");
+                .hasMessage("population size mismatch: 6 in the settings, 4 in the state");
         assertThatThrownBy(() -> new EvolutionState(0, List.of(), four.pool(), four.random(), null))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("population must not be empty");

@@ -21,10 +21,10 @@ public record ModuleGate(int maxModules, double usageForNewModule) {
      */
     public ModuleGate {
         if (maxModules < 1) {
-            throw new IllegalArgumentException("maxModes must be at least 1, is " + maxModules);
+            throw new IllegalArgumentException("maxModules must be at least 1, is " + maxModules);
         }
         if (!(usageForNewModule >= 0)) {
-            throw new IllegalArgumentException("usageForNewMode must be at least 0, is " + usageForNewModule);
+            throw new IllegalArgumentException("usageForNewModule must be at least 0, is " + usageForNewModule);
         }
         // Of minus zero the share that is asked for would be minus infinity: every usage would do instead of none.
         usageForNewModule = Math.abs(usageForNewModule);

@@ -35,10 +35,10 @@ public record MutationRates(
      * @throws NullPointerException if the rates of a kind are missing; the message names them
      */
     public MutationRates {
-        requireProbability("netLinkRate", newLink);
-        requireProbability("netSpliceRate", spliceNeuron);
-        requireProbability("perLinkMutateRate", perLinkWeight);
-        requireProbability("netPerturbRate", oneWeight);
+        requireProbability("newLink", newLink);
+        requireProbability("spliceNeuron", spliceNeuron);
+        requireProbability("perLinkWeight", perLinkWeight);
+        requireProbability("oneWeight", oneWeight);
         Objects.requireNonNull(module, "module");
         Objects.requireNonNull(deletion, "deletion");
         Objects.requireNonNull(freezing, "freezing");
@@ -78,10 +78,10 @@ public record MutationRates(
          * @throws IllegalArgumentException if a rate is not in [0, 1]
          */
         public ModuleRates {
-            requireProbability("mmpRate", previous);
-            requireProbability("mmrRate", random);
-            requireProbability("mmdRate", duplication);
-            requireProbability("fullMMRate", full);
+            requireProbability("module.previous", previous);
+            requireProbability("module.random", random);
+            requireProbability("module.duplication", duplication);
+            requireProbability("module.full", full);
         }
 
         /** Whether modules can be added, so that networks need preference neurons from the start. */
@@ -106,8 +106,8 @@ public record MutationRates(
          * @throws IllegalArgumentException if a rate is not in [0, 1]
          */
         public DeletionRates {
-            requireProbability("deleteLinkRate", link);
-            requireProbability("deleteModeRate", module);
+            requireProbability("deletion.link", link);
+            requireProbability("deletion.module", module);
         }
     }
 
@@ -128,9 +128,9 @@ public record MutationRates(
          * @throws IllegalArgumentException if a rate is not in [0, 1]
          */
         public FreezingRates {
-            requireProbability("freezePolicyRate", policy);
-            requireProbability("freezePreferenceRate", preference);
-            requireProbability("freezeAlternateRate", alternate);
+            requireProbability("freezing.policy", policy);
+            requireProbability("freezing.preference", preference);
+            requireProbability("freezing.alternate", alternate);
         }
     }
 }

@@ -32,12 +32,15 @@ final class OffspringMutation {
                 new Chance(rates.deletion().link(), new DeleteLinkMutation()),
                 new Chance(rates.deletion().module(), new DeleteModuleMutation(settings.isLeastUsedModuleDeleted())));
         moduleMutations = moduleMutations(settings);
-        afterModules = List.of(
-                new Chance(rates.spliceNeuron(), new SpliceNeuronMutation(activation)),
-                new Chance(rates.newLink(), new NewLinkMutation()),
+        List<Chance> others = new ArrayList<>();
+        others.add(new Chance(rates.spliceNeuron(), new SpliceNeuronMutation(activation)));
+        others.add(new Chance(rates.newLink(), new NewLinkMutation()));
+        others.add(
                 rates.perLinkWeight() > 0
                         ? new Chance(1, new AllWeightMutation(rates.perLinkWeight()))
                         : new Chance(rates.oneWeight(), new OneWeightMutation()));
+        settings.ownMutations().forEach(own -> others.add(new Chance(own.rate(), own.operator())));
+        afterModules = List.copyOf(others);
     }
 
     private static List<Chance> moduleMutations(VariationSettings settings) {

@@ -1,5 +1,7 @@
 package mmneat.neat.variation;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import mmneat.neat.ActivationFunction;
 
@@ -14,6 +16,7 @@ import mmneat.neat.ActivationFunction;
  *     deleteLeastUsed})
  * @param selection inputs that a new module is linked to
  * @param activation activation function of new neurons
+ * @param ownMutations mutation operators of the caller's own, tried in this order after all others; usually none
  */
 public record VariationSettings(
         MutationRates rates,
@@ -21,7 +24,31 @@ public record VariationSettings(
         double crossoverExcessRate,
         boolean isLeastUsedModuleDeleted,
         InputSelection selection,
-        ActivationFunction activation) {
+        ActivationFunction activation,
+        List<OwnMutation> ownMutations) {
+
+    /**
+     * A mutation operator of the caller's own.
+     *
+     * @param rate probability that it is tried on an offspring, in [0, 1]
+     * @param operator what it does
+     */
+    public record OwnMutation(double rate, MutationOperator operator) {
+
+        /**
+         * A checked operator.
+         *
+         * @throws IllegalArgumentException if {@code rate} is not in [0, 1]
+         * @throws NullPointerException if the operator is missing
+         */
+        public OwnMutation {
+            Objects.requireNonNull(operator, "operator");
+            if (!(rate >= 0 && rate <= 1)) {
+                throw new IllegalArgumentException(
+                        "rate of the mutation '" + operator.logName() + "' must be in [0, 1], is " + rate);
+            }
+        }
+    }
 
     /**
      * Checked settings.
@@ -34,13 +61,43 @@ public record VariationSettings(
         Objects.requireNonNull(gate, "gate");
         Objects.requireNonNull(selection, "selection");
         Objects.requireNonNull(activation, "activation");
+        ownMutations = List.copyOf(Objects.requireNonNull(ownMutations, "ownMutations"));
         if (!(crossoverExcessRate >= 0 && crossoverExcessRate <= 1)) {
-            throw new IllegalArgumentException("crossExcessRate must be in [0, 1], is " + crossoverExcessRate);
+            throw new IllegalArgumentException("crossoverExcessRate must be in [0, 1], is " + crossoverExcessRate);
         }
+    }
+
+    /** Settings without mutation operators of the caller's own. */
+    public VariationSettings(
+            MutationRates rates,
+            ModuleGate gate,
+            double crossoverExcessRate,
+            boolean isLeastUsedModuleDeleted,
+            InputSelection selection,
+            ActivationFunction activation) {
+        this(rates, gate, crossoverExcessRate, isLeastUsedModuleDeleted, selection, activation, List.of());
     }
 
     /** The settings of the published experiments, with other mutation rates. */
     public VariationSettings(MutationRates rates) {
         this(rates, ModuleGate.PUBLISHED, 0, false, InputSelection.ALL, ActivationFunction.TANH);
+    }
+
+    /** These settings with other mutation rates. */
+    public VariationSettings withRates(MutationRates newRates) {
+        return new VariationSettings(
+                newRates, gate, crossoverExcessRate, isLeastUsedModuleDeleted, selection, activation, ownMutations);
+    }
+
+    /**
+     * These settings with one more mutation operator of the caller's own, tried last.
+     *
+     * @throws IllegalArgumentException if the rate is not in [0, 1]
+     */
+    public VariationSettings withMutation(double rate, MutationOperator operator) {
+        List<OwnMutation> more = new ArrayList<>(ownMutations);
+        more.add(new OwnMutation(rate, operator));
+        return new VariationSettings(
+                rates, gate, crossoverExcessRate, isLeastUsedModuleDeleted, selection, activation, more);
     }
 }

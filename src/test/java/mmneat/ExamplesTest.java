@@ -1,0 +1,61 @@
+package mmneat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The first programs: they run, are short, and stand in README.md as they are. */
+class ExamplesTest {
+
+    private static final Path PROJECT =
+            Path.of(System.getProperty("basedir", "")).toAbsolutePath();
+    private static final Path EXAMPLES = PROJECT.resolve("src/examples/java");
+    private static final int MOST_LINES = 25;
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "Xor | Correctness: 0\\.9\\d+",
+                "Zdt1 | (\\[-?[\\d.E-]+, -?[\\d.E-]+]\\R){100}",
+                "Careful | (?s).*9\t\\d+\\R.*",
+                "NearExit | (?s).*results.near-exit.2M0.*",
+            })
+    void example_runs(String name, String output) throws Exception {
+        String path = Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                .map(place -> Path.of(place).toAbsolutePath().toString())
+                .collect(Collectors.joining(File.pathSeparator));
+        ProgramRun run = ProgramRun.java(folder, "-XX:+UseSerialGC", "-cp", path, name);
+        assertThat(run.exitCode()).as(run.errors()).isZero();
+        assertThat(run.output().strip() + System.lineSeparator()).matches(output + "\\R?");
+    }
+
+    @Test
+    void examples_areShort_andStandInTheReadme() throws IOException {
+        String readme = Files.readString(PROJECT.resolve("README.md")).replace("\r\n", "\n");
+        List<Path> files;
+        try (Stream<Path> found = Files.list(EXAMPLES)) {
+            files = found.sorted().toList();
+        }
+        assertThat(files).hasSizeGreaterThanOrEqualTo(4);
+        for (Path file : files) {
+            String code = Files.readString(file).replace("\r\n", "\n");
+            assertThat(code.lines().count()).as(file.toString()).isLessThanOrEqualTo(MOST_LINES);
+            assertThat(readme).contains("```java\n" + code + "```\n");
+        }
+    }
+}
