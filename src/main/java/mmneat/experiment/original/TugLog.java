@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import mmneat.evolution.ObjectiveGoal;
 import mmneat.evolution.TugStep;
+import mmneat.experiment.store.RunLayout;
 
 /**
  * The log of the goals of targeting unachieved goals, a row per generation.
@@ -12,7 +13,6 @@ import mmneat.evolution.TugStep;
  */
 final class TugLog {
 
-    private static final String NAME = "TUG";
     private static final int COLUMNS_PER_OBJECTIVE = 7;
 
     /** Columns of the first objective, counted from 1, after the generation and the flag of active objectives. */
@@ -23,11 +23,11 @@ final class TugLog {
     private TugLog() {}
 
     static String file(String prefix) {
-        return prefix + NAME + "_log.txt";
+        return RunLayout.log(prefix, RunLayout.GOALS);
     }
 
     static String plotFile(String prefix) {
-        return prefix + NAME + "_log.plot";
+        return RunLayout.plot(prefix, RunLayout.GOALS);
     }
 
     /** The row of a generation. */
@@ -61,7 +61,7 @@ final class TugLog {
             List<PlotScript.Curve> curves = IntStream.range(0, CURVES.size())
                     .mapToObj(curve -> new PlotScript.Curve(file(prefix), first + curve, CURVES.get(curve)))
                     .toList();
-            script.picture(prefix + NAME + " " + labels.get(i), curves).line("");
+            script.picture(prefix + RunLayout.GOALS + " " + labels.get(i), curves).line("");
         }
         return script.toString();
     }

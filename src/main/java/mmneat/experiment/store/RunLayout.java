@@ -64,11 +64,12 @@ public final class RunLayout {
 
     public static final String CHILDREN = "child";
 
-    /** The logs of networks, costs, modules, parentage and mutations. */
+    /** The logs of networks, costs, modules, goals of objectives, parentage and mutations. */
     public static final String NETWORKS = "TWEANNData";
 
     public static final String PERFORMANCE = "Performance";
     public static final String MODULE_COUNTS = "ModeUsage";
+    public static final String GOALS = "TUG";
     public static final String LINEAGE = "Lineage";
     public static final String MUTATIONS = "Mutations";
 
