@@ -142,6 +142,18 @@ class ArchitectureTest {
             "pacman.game.internal.PacMan",
             "pacman.game.internal.PathsCache");
 
+    /** The shells are for entries of 2012; our own code has {@code pacman.maze}. */
+    @Test
+    void competitionShells_areForEntriesAlone() {
+        noClasses()
+                .that()
+                .resideInAPackage("mmneat..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("pacman.game.internal")
+                .check(OURS);
+    }
+
     @Test
     void packages_areFreeOfCycles() {
         slices().matching("(mmneat..)").should().beFreeOfCycles().check(OURS);

@@ -1,8 +1,6 @@
 package mmneat.analysis.replay;
 
 import java.util.Arrays;
-import java.util.EnumMap;
-import java.util.Map;
 import java.util.Optional;
 import mmneat.analysis.evaluation.ChampionLabels;
 import mmneat.mspacman.DirectionEvaluator;
@@ -16,8 +14,7 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
-import pacman.game.internal.Maze;
-import pacman.game.internal.Node;
+import pacman.maze.MazeGraph;
 
 /** Records a trial of a network that plays Ms. Pac-Man: one game, or the five games of the isolated version. */
 public final class GameRecording implements EvaluationObserver {
@@ -26,12 +23,11 @@ public final class GameRecording implements EvaluationObserver {
     private static final int MOST_DATA = 2_800_000;
 
     private static final GHOST[] GHOSTS = GHOST.values();
-    private static final MOVE[] MOVES = MOVE.values();
 
     private final ReplayRecorder recorder;
     private final ReplayStep step;
     private final ShadowNetworks shadow;
-    private Maze maze;
+    private MazeGraph maze;
 
     private GameRecording(MsPacManTaskSettings settings, Genotype genotype, int detailEvery) {
         ReplayNetwork network = NetworkPicture.of(genotype, ChampionLabels.of(settings, genotype.layout()));
@@ -117,7 +113,8 @@ public final class GameRecording implements EvaluationObserver {
     private void finishLevel(Game game) {
         step.score = game.getScore();
         if (step.choice != ReplayStep.NO_MOVE) {
-            step.pacMan = maze.graph[step.pacMan].neighbourhood.getOrDefault(MOVES[step.choice], step.pacMan);
+            int ahead = maze.neighbour(step.pacMan, step.choice);
+            step.pacMan = ahead < 0 ? step.pacMan : ahead;
         }
         Arrays.fill(step.pills, false);
         Arrays.fill(step.powerPills, false);
@@ -162,7 +159,7 @@ public final class GameRecording implements EvaluationObserver {
 
     private void captureState(Game game) {
         int index = game.getMazeIndex();
-        maze = game.getCurrentMaze();
+        maze = game.mazeTables().graph();
         if (!recorder.knowsMaze(index)) {
             recorder.addMaze(picture(index, maze));
         }
@@ -191,19 +188,18 @@ public final class GameRecording implements EvaluationObserver {
         }
     }
 
-    private static ReplayMaze picture(int index, Maze maze) {
-        int count = maze.graph.length;
+    private static ReplayMaze picture(int index, MazeGraph maze) {
+        int count = maze.nodeCount();
         int[] x = new int[count];
         int[] y = new int[count];
         int[] right = new int[count];
         int[] down = new int[count];
-        for (Node node : maze.graph) {
-            x[node.nodeIndex] = node.x;
-            y[node.nodeIndex] = node.y;
-            Map<MOVE, Integer> neighbours = new EnumMap<>(node.neighbourhood);
-            right[node.nodeIndex] = neighbours.getOrDefault(MOVE.RIGHT, -1);
-            down[node.nodeIndex] = neighbours.getOrDefault(MOVE.DOWN, -1);
+        for (int node = 0; node < count; node++) {
+            x[node] = maze.x(node);
+            y[node] = maze.y(node);
+            right[node] = maze.neighbour(node, MOVE.RIGHT.ordinal());
+            down[node] = maze.neighbour(node, MOVE.DOWN.ordinal());
         }
-        return new ReplayMaze(index, x, y, right, down, maze.pillIndices, maze.powerPillIndices, maze.lairNodeIndex);
+        return new ReplayMaze(index, x, y, right, down, maze.pillNodes(), maze.powerPillNodes(), maze.lair());
     }
 }

@@ -61,7 +61,8 @@ final class TugLog {
             List<PlotScript.Curve> curves = IntStream.range(0, CURVES.size())
                     .mapToObj(curve -> new PlotScript.Curve(file(prefix), first + curve, CURVES.get(curve)))
                     .toList();
-            script.picture(prefix + RunLayout.GOALS + " " + labels.get(i), curves).line("");
+            script.picture(prefix + RunLayout.GOALS + " " + labels.get(i), curves)
+                    .line("");
         }
         return script.toString();
     }
