@@ -123,6 +123,19 @@ public class Executor {
         new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.ONCE_PER_TICK).play(game);
     }
 
+    /**
+     * Plays the given game to its end.
+     *
+     * @param afterStep called after each step with the game
+     */
+    public void runExperiment(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            Game game,
+            Consumer<Game> afterStep) {
+        new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.ONCE_PER_TICK).play(game, afterStep);
+    }
+
     /** Plays a game with seed 0, and waits {@code delay} ms after each tick. */
     public void runGame(
             Controller<MOVE> pacManController,
@@ -181,17 +194,19 @@ public class Executor {
      * is frozen on its last answer, and the game goes on.
      *
      * @param visual whether the game is shown, where there is a display
+     * @param afterStep called after each step with the game, in the calling thread
      */
     public TimedReport runGameTimed(
             Controller<MOVE> pacManController,
             Controller<EnumMap<GHOST, MOVE>> ghostController,
             Game game,
             Pace pace,
-            boolean visual) {
+            boolean visual,
+            Consumer<Game> afterStep) {
         TimedRun.Waiting waiting =
                 pace == Pace.REAL_TIME ? TimedRun.Waiting.FULL_DELAY : TimedRun.Waiting.UNTIL_ANSWERED;
-        GameView view = visual ? window(game, pacManController) : null;
-        return new TimedRun(pacManController, ghostController, waiting).play(game, painter(view));
+        Consumer<Game> show = painter(visual ? window(game, pacManController) : null);
+        return new TimedRun(pacManController, ghostController, waiting).play(game, afterStep.andThen(show));
     }
 
     /** Plays a game with seed 0 in which a tick ends when both controllers have answered, or after 40 ms. */

@@ -22,13 +22,4 @@ public record ExperimentResult(List<Integer> scores, long steps) {
     public double mean() {
         return scores.stream().mapToInt(Integer::intValue).average().orElseThrow();
     }
-
-    /** Sample standard deviation of the scores; NaN for a single game. */
-    public double standardDeviation() {
-        double mean = mean();
-        double squares = scores.stream()
-                .mapToDouble(score -> (score - mean) * (score - mean))
-                .sum();
-        return scores.size() == 1 ? Double.NaN : Math.sqrt(squares / (scores.size() - 1));
-    }
 }

@@ -67,17 +67,17 @@ public record Recording(List<String> states) {
     }
 
     /** Gathers the states of a game that is being played. */
-    static final class Recorder {
+    public static final class Recorder {
 
         private final List<String> states = new ArrayList<>();
 
         /** Adds the state after a tick. */
-        void add(Game game) {
+        public void add(Game game) {
             states.add(game.getGameState());
         }
 
         /** The states, joined by {@code \n}. */
-        String text() {
+        public String text() {
             return String.join("\n", states);
         }
     }

@@ -89,8 +89,9 @@ class CompetitionEntryIT {
                         + " { System.exit(0); return null; } }");
         ProgramRun run = ProgramRun.java(
                 folder, "-jar", JAR.toString(), "play", "classpath=" + classes, "pacman=Leaves", "games=3");
+        assertThat(run.exitCode()).isEqualTo(2);
         assertThat(run.output()).isEmpty();
-        assertThat(run.errors()).contains("the program was ended in game 1 of 3; there is no result");
+        assertThat(run.errors()).contains("Leaves failed: ").contains("System.exit(0)");
     }
 
     @Test

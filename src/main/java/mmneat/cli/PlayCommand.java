@@ -1,33 +1,29 @@
 package mmneat.cli;
 
 import java.io.File;
-import java.io.IOException;
-import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.EnumMap;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.TimeUnit;
-import java.util.function.Supplier;
 import java.util.stream.Stream;
+import mmneat.contest.Contest;
+import mmneat.contest.ContestReport;
+import mmneat.contest.ContestResult;
+import mmneat.contest.ContestSettings;
+import mmneat.contest.Contestant;
+import mmneat.contest.GameFailure;
+import mmneat.contest.OnFailure;
+import mmneat.contest.Timing;
 import mmneat.contest.entry.ControllerFactory;
 import mmneat.contest.entry.ControllerLoader;
-import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
-import mmneat.random.ResumableRandom;
-import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
-import pacman.ControllerFailure;
-import pacman.Executor;
-import pacman.controllers.Controller;
+import pacman.Recording;
 import pacman.controllers.HumanController;
 import pacman.controllers.KeyBoardInput;
-import pacman.game.Constants;
-import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
-import pacman.game.Game;
 import pacman.game.GameRules;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -47,6 +43,10 @@ import picocli.CommandLine.Option;
             "",
             "Example: mmneat play pacman=StarterPacMan ghosts=Legacy games=1000 seed=1",
             "Example: mmneat play classpath=entry.jar pacman=my.Entry view=true",
+            "Example: mmneat play pacmanClasspath=a.jar pacman=MyPacMan ghostsClasspath=b.jar ghosts=MyGhosts games=100",
+            "",
+            "An entry is a program that runs with your rights: it can read and write your files, open connections and",
+            "start programs. Play entries that you do not trust in a container or under an account of their own.",
             "",
         })
 final class PlayCommand extends ConsoleCommand implements Runnable {
@@ -54,15 +54,15 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
     private static final String HUMAN = "Human";
     private static final Set<String> NAMES_OF_THE_HUMAN =
             Set.of(HUMAN, HumanController.class.getSimpleName(), HumanController.class.getName());
-    private static final int PROGRESS_SECONDS = 5;
-    private static final int LAST_LOOK_MILLISECONDS = 2000;
-    private static final long STALL_MILLISECONDS = 10_000;
+    private static final String UNTIMED = "false";
+    private static final String FAST = "fast";
 
     @Option(
             names = "pacman",
             paramLabel = "CLASS|FILE",
             defaultValue = "StarterPacMan",
-            description = "Controller of Ms. Pac-Man: a class; the folder of a run or a file with an evolved network"
+            description = "Controller of Ms. Pac-Man: a class, with arguments if its constructor has any, as in"
+                    + " 'my.Entry(Legacy,3)'; the folder of a run or a file with an evolved network"
                     + " (champion.json); champion:blended, champion:interleaved or champion:isolated for a network that"
                     + " comes with the program; or " + HUMAN + " with view=true (default: ${DEFAULT-VALUE}).")
     private String pacMan;
@@ -78,14 +78,27 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             names = "ghosts",
             paramLabel = "CLASS",
             defaultValue = "Legacy",
-            description = "Class of the ghosts' controller (default: ${DEFAULT-VALUE}).")
+            description = "Class of the ghosts' controller, with arguments if it has any (default: ${DEFAULT-VALUE}).")
     private String ghosts;
 
     @Option(
             names = "classpath",
             paramLabel = "PATH",
-            description = "Jars and class folders of outside controllers, separated by ${sys:path.separator}")
+            description = "Jars and class folders of outside controllers of both sides, separated by"
+                    + " ${sys:path.separator}")
     private String classPath;
+
+    @Option(
+            names = "pacmanClasspath",
+            paramLabel = "PATH",
+            description = "The same for Ms. Pac-Man's controller alone, which must come from there.")
+    private String pacManClassPath;
+
+    @Option(
+            names = "ghostsClasspath",
+            paramLabel = "PATH",
+            description = "The same for the ghosts' controller alone, which must come from there.")
+    private String ghostsClassPath;
 
     @Option(names = "games", paramLabel = "N", defaultValue = "1", description = "Games (default: ${DEFAULT-VALUE}).")
     @Range(min = 1)
@@ -100,12 +113,43 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
 
     @Option(
             names = "timed",
-            paramLabel = "true|false",
-            arity = "1",
-            defaultValue = "false",
-            description = "Controllers get 40 ms per step, in threads of their own; otherwise as long as they take"
-                    + " (default: ${DEFAULT-VALUE}).")
-    private boolean timed;
+            paramLabel = "VALUE",
+            completionCandidates = Timings.class,
+            defaultValue = UNTIMED,
+            description =
+                    "One of ${COMPLETION-CANDIDATES}. false: controllers take as long as they like. true: real time,"
+                            + " 40 ms per step by the clock. fast: 40 ms at most, the next step comes when both have answered."
+                            + " With true and fast they compute in threads of their own, and a late one is represented by its last"
+                            + " answer (default: ${DEFAULT-VALUE}).")
+    private String timed;
+
+    @Option(
+            names = "moveLimit",
+            paramLabel = "SECONDS",
+            description = "Seconds after which an untimed game fails if a controller has not answered (default: none).")
+    @Range(min = 1)
+    private Integer moveLimit;
+
+    @Option(
+            names = "onFailure",
+            paramLabel = "VALUE",
+            completionCandidates = Reactions.class,
+            defaultValue = "stop",
+            description =
+                    "What a controller's failure (exception, endless recursion, memory, end of the program, move limit)"
+                            + " does, one of ${COMPLETION-CANDIDATES}. stop: reports the games before and exits with 2. skip: leaves the"
+                            + " game out. score0: counts it with score 0 (default: ${DEFAULT-VALUE}).")
+    private String onFailure;
+
+    @Option(
+            names = "check",
+            paramLabel = "VALUE",
+            completionCandidates = Checks.class,
+            defaultValue = "none",
+            description =
+                    "One of ${COMPLETION-CANDIDATES}. repeat: plays the first game again and says whether it scores the"
+                            + " same (default: ${DEFAULT-VALUE}).")
+    private String check;
 
     @Option(
             names = "view",
@@ -126,233 +170,154 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
 
     @Override
     public void run() {
-        new Contest(this).play();
+        boolean isHuman = NAMES_OF_THE_HUMAN.contains(pacMan);
+        boolean isShown = isShown();
+        if (isHuman && !isShown) {
+            throw new UserError("pacman=" + pacMan + " needs view=true and a display");
+        }
+        requireEffect("division", !isHuman && NetworkPlayer.isNetwork(pacMan), "it is for a network");
+        ContestSettings settings = settings(isHuman, isShown);
+        requireEffect("moveLimit", settings.timing() == Timing.NONE, "a timed game does not wait for an answer");
+        requireUsedClassPath(settings);
+        requireRecordable(settings);
+        settings.rules().prepareMazes();
+        Recording.Recorder recorder = record == null ? null : new Recording.Recorder();
+        long start = System.nanoTime();
+        ContestResult result = new Contest(settings, notes())
+                .play(recorder == null ? state -> {} : recorder::add, soFar -> report(settings, soFar, start));
+        report(settings, result, start);
+        if (recorder != null && !recorder.text().isEmpty()) {
+            OutputFile.write(record, recorder.text() + System.lineSeparator());
+        }
+        requireResult(settings, result);
     }
 
-    /** The games of one command. */
-    private static final class Contest {
-
-        private final PrintWriter out;
-        private final PrintWriter notes;
-        private final GameRules rules;
-        private final String rulesName;
-        private final ControllerFactory<EnumMap<GHOST, MOVE>> ghosts;
-
-        /** Null if a human plays. */
-        private final Supplier<Controller<MOVE>> pacMan;
-
-        private final String pacManName;
-
-        private final int games;
-        private final long seed;
-        private final boolean timed;
-        private final boolean view;
-
-        /** Null if the game is not recorded. */
-        private final Path recording;
-
-        private final Executor executor = new Executor();
-        private final SummaryStatistics scores = new SummaryStatistics();
-        private long steps;
-
-        /** Number of the game that is played. */
-        private volatile int playing;
-
-        Contest(PlayCommand options) {
-            out = options.out();
-            notes = options.notes();
-            rules = options.game.rules(GameRules.competition());
-            rulesName = options.game.name();
-            games = options.games;
-            seed = options.seed;
-            timed = options.timed;
-            view = options.view && Display.isThere();
-            if (options.view && !view) {
-                notes.println("mmneat: there is no display, so the games are not shown");
-            }
-            recording = options.record;
-            ControllerLoader loader = new ControllerLoader(classPath(options.classPath));
-            String player = options.pacMan;
-            boolean human = NAMES_OF_THE_HUMAN.contains(player);
-            if (human && !view) {
-                throw new UserError("pacman=" + player + " needs view=true and a display");
-            }
-            options.requireEffect("division", !human && NetworkPlayer.isNetwork(player), "it is for a network");
-            if (human) {
-                pacMan = null;
-                pacManName = HUMAN;
-            } else if (NetworkPlayer.isNetwork(player)) {
-                pacMan = NetworkPlayer.read(player, Optional.ofNullable(options.division), seed);
-                pacManName = player;
-            } else {
-                ControllerFactory<MOVE> factory = loader.pacMan(player);
-                pacMan = factory::create;
-                pacManName = factory.name();
-            }
-            ghosts = loader.ghosts(options.ghosts);
-            requireRecordable();
+    private boolean isShown() {
+        if (view && !Display.isThere()) {
+            notes().println("mmneat: there is no display, so the games are not shown");
         }
+        return view && Display.isThere();
+    }
 
-        private static List<Path> classPath(String classPath) {
-            return Stream.ofNullable(classPath)
-                    .flatMap(text -> Stream.of(text.split(File.pathSeparator)))
-                    .filter(place -> !place.isBlank())
-                    .map(Path::of)
-                    .toList();
+    private ContestSettings settings(boolean isHuman, boolean isShown) {
+        return new ContestSettings(
+                pacMan(isHuman),
+                contestant(
+                        loader("ghostsClasspath", ghostsClassPath).ghosts(ghosts), "ghosts", ghosts, ghostsClassPath),
+                game.rules(GameRules.competition()),
+                games,
+                seed,
+                timing(isHuman, isShown),
+                moveLimit == null ? null : Duration.ofSeconds(moveLimit),
+                isShown,
+                OnFailure.valueOf(onFailure.toUpperCase(Locale.ROOT)),
+                check.equals("repeat"));
+    }
+
+    /** A human's game goes on without him, and one that is shown at the pace of the clock. */
+    private Timing timing(boolean isHuman, boolean isShown) {
+        if (timed.equals(UNTIMED) && !isHuman) {
+            return Timing.NONE;
         }
+        return timed.equals(FAST) && !isShown ? Timing.UNTIL_ANSWERED : Timing.REAL_TIME;
+    }
 
-        private void requireRecordable() {
-            if (recording == null) {
-                return;
-            }
-            if (games != 1) {
-                throw new UserError("record=" + recording + ": one game is recorded; use games=1");
-            }
-            if (view && !timed) {
-                throw new UserError("record=" + recording + ": with view=true use timed=true too");
-            }
-            OutputFile.require("record", recording);
+    private Contestant<MOVE> pacMan(boolean isHuman) {
+        if (isHuman) {
+            return new Contestant<>(HUMAN, "", () -> new HumanController(new KeyBoardInput()));
         }
-
-        void play() {
-            ResumableRandom seeds = new ResumableRandom(seed);
-            rules.prepareMazes();
-            long start = System.nanoTime();
-            long nextProgress = start + TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
-            Thread ending = new Thread(this::reportEnd);
-            Runtime.getRuntime().addShutdownHook(ending);
-            try (StallNotice stall = new StallNotice(notes, STALL_MILLISECONDS)) {
-                for (int index = 0; index < games; index++) {
-                    playing = index + 1;
-                    Game game = newGame(seeds);
-                    stall.watch(hasTimeLimit() ? null : game);
-                    play(game, index);
-                    stall.watch(null);
-                    scores.addValue(game.getScore());
-                    steps += game.getTotalTime();
-                    if (index + 1 < games && System.nanoTime() > nextProgress) {
-                        nextProgress += TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
-                        notes.println(String.format(
-                                Locale.ROOT, "%d of %d games, mean score %.1f", index + 1, games, scores.getMean()));
-                        notes.flush();
-                    }
-                }
-            } finally {
-                forget(ending);
-            }
-            report((System.nanoTime() - start) / 1e9);
+        if (NetworkPlayer.isNetwork(pacMan)) {
+            return new Contestant<>(pacMan, "", NetworkPlayer.read(pacMan, Optional.ofNullable(division), seed));
         }
+        return contestant(loader("pacmanClasspath", pacManClassPath).pacMan(pacMan), "pacman", pacMan, pacManClassPath);
+    }
 
-        private static void forget(Thread hook) {
-            try {
-                Runtime.getRuntime().removeShutdownHook(hook);
-            } catch (IllegalStateException e) {
-                // Ctrl-C came as the last game ended: the hook is at work.
-                return;
-            }
+    private static <T> Contestant<T> contestant(
+            ControllerFactory<T> factory, String option, String value, String ownClassPath) {
+        if (ownClassPath != null && factory.origin().isEmpty()) {
+            throw new UserError(option + "=" + value + ": there is no such class in " + ownClassPath
+                    + ", only one that comes with the program; leave " + option + "Classpath= out to play that");
         }
+        return new Contestant<>(factory.name(), factory.origin(), factory::create);
+    }
 
-        /** A controller may call {@code System.exit}, whose exit code says nothing: a script must not take it for a result. */
-        private void reportEnd() {
-            notes.println("mmneat: the program was ended in game " + playing + " of " + games + "; there is no result");
-            notes.flush();
+    /** What is on the class path of one side is looked for there first, then on that of both. */
+    private ControllerLoader loader(String option, String ownClassPath) {
+        List<Path> both = places(classPath);
+        List<Path> own = places(ownClassPath);
+        return new ControllerLoader(
+                own.isEmpty() ? "classpath" : option,
+                Stream.concat(own.stream(), both.stream()).toList());
+    }
+
+    private static List<Path> places(String classPath) {
+        return Stream.ofNullable(classPath)
+                .flatMap(text -> Stream.of(text.split(File.pathSeparator)))
+                .filter(place -> !place.isBlank())
+                .map(Path::of)
+                .toList();
+    }
+
+    private void requireUsedClassPath(ContestSettings settings) {
+        boolean isUsed = !settings.pacMan().origin().isEmpty()
+                || !settings.ghosts().origin().isEmpty();
+        requireEffect("classpath", isUsed, "both controllers come with the program");
+        boolean playsClass = !settings.pacMan().name().equals(HUMAN) && !NetworkPlayer.isNetwork(pacMan);
+        requireEffect("pacmanClasspath", playsClass, "Ms. Pac-Man's controller is no class");
+    }
+
+    private void requireRecordable(ContestSettings settings) {
+        if (record == null) {
+            return;
         }
-
-        /** Whether the game goes on without a controller that is late; a human's always does. */
-        private boolean hasTimeLimit() {
-            return timed || pacMan == null;
+        if (games != 1) {
+            throw new UserError("record=" + record + ": one game is recorded; use games=1");
         }
-
-        /**
-         * By MM-NEAT's rules a game draws from the run's generator too, which copies share. Here each game has one of its own, so that
-         * a controller that looks ahead in copies does not change the games that come after.
-         */
-        private Game newGame(ResumableRandom seeds) {
-            return rules.conventions() == GameRules.Conventions.MM_NEAT
-                    ? new Game(seeds.nextLong(), rules, new ResumableRandom(seeds.nextLong()))
-                    : new Game(seeds.nextLong(), rules);
+        if (settings.isShown() && settings.timing() == Timing.NONE) {
+            throw new UserError("record=" + record + ": with view=true use timed=true too");
         }
+        requireEffect("check", !settings.isRepeated(), "the game is recorded");
+        OutputFile.require("record", record);
+    }
 
-        private void play(Game game, int index) {
-            try {
-                Controller<MOVE> player = pacMan == null ? new HumanController(new KeyBoardInput()) : pacMan.get();
-                play(game, player, ghosts.create());
-            } catch (RuntimeException | Error failure) {
-                ControllerFailure report = ControllerFailure.in(failure).orElse(null);
-                if (report == null) {
-                    throw failure;
-                }
-                notes.println("mmneat: " + report.controllerName() + " threw an exception in game " + (index + 1)
-                        + " at time " + report.totalTime());
-                Throwable thrown = report == failure ? failure.getCause() : failure;
-                thrown.printStackTrace(notes);
-                notes.flush();
-                throw new UserError(report.controllerName() + " failed: " + thrown, thrown);
-            }
+    private void report(ContestSettings settings, ContestResult result, long start) {
+        double seconds = (System.nanoTime() - start) / 1e9;
+        ContestReport.lines(settings, result, game.name(), seconds).forEach(out()::println);
+        out().flush();
+    }
+
+    private static void requireResult(ContestSettings settings, ContestResult result) {
+        if (result.failures().isEmpty()) {
+            return;
         }
-
-        private void play(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
-            if (recording != null) {
-                record(game, player, team);
-            } else if (hasTimeLimit()) {
-                executor.runGameTimedSpeedOptimised(player, team, view, view, game);
-            } else if (view) {
-                executor.runGame(player, team, game, true, Constants.DELAY);
-            } else {
-                executor.runExperiment(player, team, game);
-            }
-            if (view) {
-                lookAtTheEnd();
-            }
+        GameFailure failure = result.failures().get(0);
+        if (settings.onFailure() == OnFailure.STOP) {
+            throw new UserError(failure.sentence() + "; game " + failure.game() + " of " + settings.games()
+                    + " ended the contest; onFailure=skip or onFailure=score0 plays on");
         }
-
-        private void record(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
-            if (timed) {
-                recordTimed(game, player, team);
-                return;
-            }
-            OutputFile.write(recording, executor.runGameRecorded(player, team, game) + System.lineSeparator());
+        if (result.scores().isEmpty()) {
+            throw new UserError("no game was played to its end: " + failure.sentence());
         }
+    }
 
-        /** The competition's method writes the file itself and only prints that it could not, so it gets a file of its own. */
-        private void recordTimed(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
-            try {
-                Path part = Files.createTempFile("mmneat", ".recording");
-                try {
-                    executor.runGameTimedRecorded(game, player, team, view, part.toString());
-                    OutputFile.write(recording, Files.readAllBytes(part));
-                } finally {
-                    Files.delete(part);
-                }
-            } catch (IOException e) {
-                throw new UserError("record=" + recording + ": " + FileErrors.reason(e), e);
-            }
+    /** Values of the option timed. */
+    private static final class Timings extends ArrayList<String> {
+        Timings() {
+            super(List.of(UNTIMED, "true", FAST));
         }
+    }
 
-        private static void lookAtTheEnd() {
-            try {
-                Thread.sleep(LAST_LOOK_MILLISECONDS);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
+    /** Values of the option onFailure. */
+    private static final class Reactions extends ArrayList<String> {
+        Reactions() {
+            super(List.of("stop", "skip", "score0"));
         }
+    }
 
-        private void report(double seconds) {
-            out.println(pacManName + " against " + ghosts.name() + ", " + games + (games == 1 ? " game" : " games")
-                    + ", seed " + seed + ", rules " + rulesName + (timed ? ", timed" : ""));
-            out.println(String.format(
-                    Locale.ROOT,
-                    "score: mean %.1f, standard deviation %s, minimum %.0f, maximum %.0f",
-                    scores.getMean(),
-                    games == 1 ? "-" : String.format(Locale.ROOT, "%.1f", scores.getStandardDeviation()),
-                    scores.getMin(),
-                    scores.getMax()));
-            out.println(String.format(
-                    Locale.ROOT,
-                    "steps: %d, %.0f per second from the start of the first game, when the mazes are loaded",
-                    steps,
-                    steps / Math.max(seconds, 1e-9)));
-            out.flush();
+    /** Values of the option check. */
+    private static final class Checks extends ArrayList<String> {
+        Checks() {
+            super(List.of("none", "repeat"));
         }
     }
 }

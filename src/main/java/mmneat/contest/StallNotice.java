@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.contest;
 
 import java.io.PrintWriter;
 import java.util.concurrent.Executors;
@@ -54,22 +54,24 @@ final class StallNotice implements AutoCloseable {
             told = false;
         } else if (!told) {
             told = true;
-            notes.println("mmneat: at time " + time + " of the game " + whoIsAsked() + " has not answered for "
-                    + milliseconds / 1000 + " s; with timed=true the game would go on without it. Ctrl-C ends.");
+            notes.println("mmneat: at time " + time + " of the game " + controllerAskedBy(player)
+                    + " has not answered for "
+                    + milliseconds / 1000
+                    + " s; with timed=true the game would go on without it, moveLimit= would end it. Ctrl-C ends.");
             notes.flush();
         }
     }
 
-    /** The class whose method was called to get a move. */
-    private String whoIsAsked() {
+    /** The class whose method a playing thread has called to get a move. */
+    static String controllerAskedBy(Thread player) {
         StackTraceElement asked = null;
         for (StackTraceElement frame : player.getStackTrace()) {
             if (frame.getClassName().equals(ASKING)) {
-                break;
+                return asked == null ? "a controller" : asked.getClassName();
             }
             asked = frame;
         }
-        return asked == null ? "a controller" : asked.getClassName();
+        return "a controller";
     }
 
     @Override

@@ -1,0 +1,133 @@
+package mmneat.contest;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import mmneat.contest.ContestResult.Repetition;
+import mmneat.contest.GamePlay.Outcome;
+import pacman.GameSeries;
+import pacman.game.Game;
+
+/**
+ * Plays the games of a contest, one after the other. The same settings give the same games, unless a controller has a generator
+ * of its own or looks at the clock.
+ */
+public final class Contest {
+
+    private static final int PROGRESS_SECONDS = 5;
+    private static final long STALL_MILLISECONDS = 10_000;
+
+    /** Lines of a stack trace that are shown; one of endless recursion has a thousand. */
+    private static final int TRACE_LINES = 25;
+
+    private final ContestSettings settings;
+    private final PrintWriter notes;
+    private final ContestTally tally = new ContestTally();
+    private long nextProgress;
+
+    /** @param notes gets progress, and the failures of controllers as they occur */
+    public Contest(ContestSettings settings, PrintWriter notes) {
+        this.settings = settings;
+        this.notes = notes;
+    }
+
+    /**
+     * Plays.
+     *
+     * @param afterStep called after each step with the game; not in untimed games that are shown
+     * @param ended called with what was reached if the program is ended while the games are played, in the shutdown of the program
+     * @return the result; fewer games than wanted if a failure stopped the contest
+     */
+    public ContestResult play(Consumer<Game> afterStep, Consumer<ContestResult> ended) {
+        AtomicInteger playing = new AtomicInteger(1);
+        ExitGuard guard = new ExitGuard(() -> reportEnd(playing.get(), ended));
+        try (StallNotice stall = new StallNotice(notes, STALL_MILLISECONDS)) {
+            playAll(new GamePlay(settings, stall), afterStep, playing);
+        } finally {
+            guard.close();
+        }
+        return tally.result();
+    }
+
+    private void playAll(GamePlay play, Consumer<Game> afterStep, AtomicInteger playing) {
+        GameSeries series = new GameSeries(settings.rules(), settings.seed());
+        nextProgress = System.nanoTime() + TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
+        Repetition first = null;
+        for (int number = 1; number <= settings.games(); number++) {
+            playing.set(number);
+            Outcome outcome = play.play(series.next(), number, afterStep);
+            note(outcome);
+            if (outcome.failure().isPresent() && settings.onFailure() == OnFailure.STOP) {
+                return;
+            }
+            if (first == null && outcome.failure().isEmpty()) {
+                first = new Repetition(number, outcome.score(), outcome.steps(), Optional.empty(), 0);
+            }
+            tellProgress(number);
+        }
+        if (settings.isRepeated() && first != null) {
+            tally.setRepetition(repeat(play, first));
+        }
+    }
+
+    private void note(Outcome outcome) {
+        outcome.timed().ifPresent(tally::addTimed);
+        outcome.failure().ifPresent(this::noteFailure);
+        boolean failed = outcome.failure().isPresent();
+        // A timed game goes on when a controller fails: to stop there, the game has ended.
+        if (!failed || settings.onFailure() == OnFailure.STOP && outcome.isFinished()) {
+            tally.addGame(outcome.score(), outcome.steps());
+        } else if (settings.onFailure() == OnFailure.SCORE0) {
+            tally.addGame(0, outcome.steps());
+        }
+    }
+
+    private void noteFailure(GameFailure failure) {
+        tally.addFailure(failure);
+        String what =
+                failure.thrown().isPresent() ? failure.controller() + " threw an exception" : failure.sentence() + ",";
+        notes.println("mmneat: " + what + " " + failure.place());
+        failure.thrown().map(Contest::trace).ifPresent(notes::println);
+        notes.flush();
+    }
+
+    private static String trace(Throwable thrown) {
+        StringWriter text = new StringWriter();
+        thrown.printStackTrace(new PrintWriter(text, true));
+        return text.toString().lines().limit(TRACE_LINES).collect(Collectors.joining(System.lineSeparator()));
+    }
+
+    private void tellProgress(int number) {
+        if (number == settings.games() || System.nanoTime() < nextProgress) {
+            return;
+        }
+        nextProgress += TimeUnit.SECONDS.toNanos(PROGRESS_SECONDS);
+        notes.println(String.format(
+                Locale.ROOT, "%d of %d games, mean score %.1f", number, settings.games(), tally.meanScore()));
+        notes.flush();
+    }
+
+    private Repetition repeat(GamePlay play, Repetition first) {
+        GameSeries series = new GameSeries(settings.rules(), settings.seed());
+        Game game = series.next();
+        for (int number = 1; number < first.game(); number++) {
+            game = series.next();
+        }
+        Outcome again = play.play(game, first.game(), state -> {});
+        Optional<Integer> score = again.failure().isEmpty() ? Optional.of(again.score()) : Optional.empty();
+        return new Repetition(first.game(), first.score(), first.steps(), score, again.steps());
+    }
+
+    private void reportEnd(int playing, Consumer<ContestResult> ended) {
+        ContestResult result = tally.result();
+        ended.accept(result);
+        notes.println("mmneat: the program was ended in game " + playing + " of " + settings.games() + "; "
+                + (result.scores().isEmpty() ? "there is no result" : "the result is of the games before"));
+        notes.flush();
+    }
+}
