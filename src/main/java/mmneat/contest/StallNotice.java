@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
-import mmneat.evolution.DaemonThreads;
 import pacman.game.Game;
 
 /** Says so when a game does not go on: without a time limit nobody else notices a controller that never answers. */
@@ -14,8 +13,7 @@ final class StallNotice implements AutoCloseable {
 
     private final PrintWriter notes;
     private final Thread player;
-    private final ScheduledExecutorService clock =
-            Executors.newSingleThreadScheduledExecutor(DaemonThreads.named("stall notice"));
+    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(StallNotice::thread);
 
     private volatile Game game;
 
@@ -33,6 +31,12 @@ final class StallNotice implements AutoCloseable {
         this.notes = notes;
         player = Thread.currentThread();
         clock.scheduleAtFixedRate(() -> look(milliseconds), milliseconds, milliseconds, TimeUnit.MILLISECONDS);
+    }
+
+    private static Thread thread(Runnable looks) {
+        Thread thread = new Thread(looks, "stall notice");
+        thread.setDaemon(true);
+        return thread;
     }
 
     /** From now on this game is played; null if none is. */
