@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
@@ -30,28 +31,30 @@ public final class RunFiles implements EvolutionObserver {
 
     private final RunFolder folder;
     private final Task task;
-    private final Choice choice;
+    private final Set<Choice> choices;
 
     private final PopulationLog parentsLog;
     private final PopulationLog childLog;
     private final PopulationLog networksLog;
     private final PopulationLog performanceLog;
 
-    /**
-     * Which files are wanted. The names in brackets are the parameters.
-     *
-     * @param logs score files, logs and gnuplot scripts ({@code io})
-     * @param networks networks, archetype and champions ({@code netio})
-     * @param moduleCounts whether networks may have several modules, so that there is a log of their numbers
-     * @param keepsNewestNetworksOnly whether the networks of earlier generations are deleted ({@code cleanOldNetworks})
-     */
-    public record Choice(boolean logs, boolean networks, boolean moduleCounts, boolean keepsNewestNetworksOnly) {}
+    /** Which files are wanted. The names in brackets are the parameters. */
+    public enum Choice {
+        /** Score files, logs and gnuplot scripts ({@code io}). */
+        LOGS,
+        /** Networks, archetype and champions ({@code netio}). */
+        NETWORKS,
+        /** Networks may have several modules, so that there is a log of their numbers. */
+        MODULE_COUNTS,
+        /** The networks of earlier generations are deleted ({@code cleanOldNetworks}). */
+        NEWEST_NETWORKS_ONLY
+    }
 
     /** Files about the evolution for a task, in a folder. */
-    public RunFiles(RunFolder folder, Task task, Choice choice) {
+    public RunFiles(RunFolder folder, Task task, Set<Choice> choices) {
         this.folder = folder;
         this.task = task;
-        this.choice = choice;
+        this.choices = Set.copyOf(choices);
         List<String> scores = new ArrayList<>(task.objectiveNames());
         scores.addAll(task.otherScoreNames());
         parentsLog = new PopulationLog(RunLayout.PARENTS, scores);
@@ -62,12 +65,12 @@ public final class RunFiles implements EvolutionObserver {
 
     /** Writes what is there before the first generation of a new run: scripts, initial networks, archetype. */
     public void begin(EvolutionState initial) {
-        if (choice.logs) {
+        if (choices.contains(Choice.LOGS)) {
             String prefix = folder.prefix();
             for (PopulationLog log : List.of(parentsLog, childLog, networksLog, performanceLog)) {
                 folder.write(log.plotFile(prefix), log.plotScript(prefix));
             }
-            if (choice.moduleCounts) {
+            if (choices.contains(Choice.MODULE_COUNTS)) {
                 folder.write(ModuleCountLog.plotFile(prefix), ModuleCountLog.plotScript(prefix));
             }
             if (initial.tug() != null) {
@@ -82,11 +85,11 @@ public final class RunFiles implements EvolutionObserver {
      * called after the last generation, and whenever it is worth while before.
      */
     public void writeNewestNetworks(EvolutionState next) {
-        if (!choice.networks) {
+        if (!choices.contains(Choice.NETWORKS)) {
             return;
         }
         writeNetworks(next);
-        if (choice.keepsNewestNetworksOnly) {
+        if (choices.contains(Choice.NEWEST_NETWORKS_ONLY)) {
             String newest = RunLayout.networksFolder(next.generation());
             folder.folders().stream()
                     .filter(name -> RunLayout.isNetworksFolder(name) && !name.equals(newest))
@@ -96,7 +99,7 @@ public final class RunFiles implements EvolutionObserver {
 
     @Override
     public void generationCompleted(Generation generation, EvolutionState next) {
-        if (choice.logs) {
+        if (choices.contains(Choice.LOGS)) {
             writeScores(RunLayout.CHILDREN, generation.number(), generation.children());
             log(childLog, generation.number(), scores(generation.children()));
             logParents(generation);
@@ -109,11 +112,11 @@ public final class RunFiles implements EvolutionObserver {
                     .ifPresent(
                             step -> folder.append(TugLog.file(folder.prefix()), TugLog.row(generation.number(), step)));
         }
-        if (choice.networks) {
+        if (choices.contains(Choice.NETWORKS)) {
             writeChampion(generation.champion(task));
             writeBestInObjectives(generation.children());
             writeShadows(next);
-            if (!choice.keepsNewestNetworksOnly) {
+            if (!choices.contains(Choice.NEWEST_NETWORKS_ONLY)) {
                 writeNetworks(next);
             }
         }
@@ -121,10 +124,10 @@ public final class RunFiles implements EvolutionObserver {
 
     @Override
     public void completed(Generation finalParents) {
-        if (choice.logs) {
+        if (choices.contains(Choice.LOGS)) {
             logParents(finalParents);
         }
-        if (choice.networks) {
+        if (choices.contains(Choice.NETWORKS)) {
             // The champion stays that of the last generation with children: the original's quirk.
             writeBestInObjectives(finalParents.parents());
         }
@@ -136,7 +139,7 @@ public final class RunFiles implements EvolutionObserver {
         writeScores(RunLayout.PARENTS, number, parents);
         log(parentsLog, number, scores(parents));
         log(networksLog, number, networks(parents, generation.archetypeSize()));
-        if (choice.moduleCounts) {
+        if (choices.contains(Choice.MODULE_COUNTS)) {
             folder.append(ModuleCountLog.file(folder.prefix()), ModuleCountLog.row(number, parents));
         }
     }
@@ -199,7 +202,7 @@ public final class RunFiles implements EvolutionObserver {
         int index = 0;
         for (Genotype genotype : state.population()) {
             String file = RunLayout.network(folder.prefix(), state.generation(), index++);
-            if (choice.keepsNewestNetworksOnly) {
+            if (choices.contains(Choice.NEWEST_NETWORKS_ONLY)) {
                 folder.writeRemakeable(file, GenotypeXml.write(genotype));
             } else {
                 // Those of earlier generations are in no checkpoint.

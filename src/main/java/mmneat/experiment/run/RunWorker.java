@@ -3,6 +3,8 @@ package mmneat.experiment.run;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.channels.ClosedByInterruptException;
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -190,12 +192,18 @@ final class RunWorker {
         return last.evolution();
     }
 
-    private RunFiles.Choice files(EvolutionSettings settings) {
+    private Set<RunFiles.Choice> files(EvolutionSettings settings) {
         Parameters parameters = run.parameters();
-        boolean severalModules = settings.initialNetworks().layout().hasPreferenceNeurons()
-                || settings.initialNetworks().layout().modules() > 1;
-        return new RunFiles.Choice(
-                parameters.flag("io"), parameters.flag("netio"), severalModules, parameters.flag("cleanOldNetworks"));
+        Map<RunFiles.Choice, Boolean> choices = new EnumMap<>(RunFiles.Choice.class);
+        choices.put(RunFiles.Choice.LOGS, parameters.flag("io"));
+        choices.put(RunFiles.Choice.NETWORKS, parameters.flag("netio"));
+        choices.put(
+                RunFiles.Choice.MODULE_COUNTS,
+                settings.initialNetworks().layout().hasPreferenceNeurons()
+                        || settings.initialNetworks().layout().modules() > 1);
+        choices.put(RunFiles.Choice.NEWEST_NETWORKS_ONLY, parameters.flag("cleanOldNetworks"));
+        choices.values().removeIf(wanted -> !wanted);
+        return choices.keySet();
     }
 
     private void evolve(EvolutionSettings settings, EvolutionState state, Task task, RunRecorder recorder) {

@@ -6,8 +6,10 @@ import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.stream.Stream;
 import mmneat.evolution.Evolution;
 import mmneat.evolution.EvolutionObserver;
@@ -41,7 +43,7 @@ class RunFilesTest {
 
     @Test
     void smallRun_writesTheRecordedFiles() throws IOException, URISyntaxException {
-        evolve(new RunFiles.Choice(true, true, true, true));
+        evolve(EnumSet.allOf(RunFiles.Choice.class));
         Path recorded = Path.of(RunFilesTest.class.getResource("schaffer-run").toURI());
         try (Stream<Path> files = Files.walk(recorded)) {
             List<Path> expected = files.filter(Files::isRegularFile).toList();
@@ -55,7 +57,7 @@ class RunFilesTest {
 
     @Test
     void oldNetworks_areDeleted_ifOnlyTheNewestAreWanted() throws IOException {
-        evolve(new RunFiles.Choice(false, true, true, true));
+        evolve(Set.of(RunFiles.Choice.NETWORKS, RunFiles.Choice.MODULE_COUNTS, RunFiles.Choice.NEWEST_NETWORKS_ONLY));
         assertThat(folders()).containsExactly("bestObjectives", "bestPacMan", "gen3");
         List<Path> networks = list(directory.resolve("gen3"));
         assertThat(networks).hasSize(MU);
@@ -66,7 +68,7 @@ class RunFilesTest {
 
     @Test
     void oldNetworks_areKept_ifAllAreWanted() throws IOException {
-        evolve(new RunFiles.Choice(false, true, true, false));
+        evolve(Set.of(RunFiles.Choice.NETWORKS, RunFiles.Choice.MODULE_COUNTS));
         assertThat(folders()).containsExactly("bestObjectives", "bestPacMan", "gen1", "gen2", "gen3", "initial");
         assertThat(list(directory.resolve("initial")))
                 .extracting(file -> file.getFileName().toString())
@@ -79,7 +81,8 @@ class RunFilesTest {
 
     @Test
     void fileOfShadows_isWrittenOnlyIfThereAreAny() throws IOException {
-        RunFiles.Choice networks = new RunFiles.Choice(false, true, true, true);
+        Set<RunFiles.Choice> networks =
+                Set.of(RunFiles.Choice.NETWORKS, RunFiles.Choice.MODULE_COUNTS, RunFiles.Choice.NEWEST_NETWORKS_ONLY);
         // Only networks of one module get shadows.
         evolve(networks, ModuleLayout.withPreferenceNeurons(2, 1));
         assertThat(directory.resolve("combiningCrossoverMapping.txt")).doesNotExist();
@@ -89,7 +92,7 @@ class RunFilesTest {
 
     @Test
     void withoutNetworks_thereAreLogsOnly_andTheOtherWayRound() throws IOException {
-        evolve(new RunFiles.Choice(true, false, false, true));
+        evolve(Set.of(RunFiles.Choice.LOGS, RunFiles.Choice.NEWEST_NETWORKS_ONLY));
         assertThat(folders()).isEmpty();
         assertThat(list(directory))
                 .isNotEmpty()
@@ -100,15 +103,15 @@ class RunFilesTest {
 
     @Test
     void nothingWanted_nothingWritten() throws IOException {
-        evolve(new RunFiles.Choice(false, false, true, true));
+        evolve(Set.of(RunFiles.Choice.MODULE_COUNTS, RunFiles.Choice.NEWEST_NETWORKS_ONLY));
         assertThat(list(directory)).isEmpty();
     }
 
-    private void evolve(RunFiles.Choice choice) {
+    private void evolve(Set<RunFiles.Choice> choice) {
         evolve(choice, new ModuleLayout(2, 1, 1, false));
     }
 
-    private void evolve(RunFiles.Choice choice, ModuleLayout layout) {
+    private void evolve(Set<RunFiles.Choice> choice, ModuleLayout layout) {
         Task task = new SchafferTask();
         EvolutionSettings settings = new EvolutionSettings(
                 5,

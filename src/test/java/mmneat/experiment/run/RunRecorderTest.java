@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import mmneat.evolution.Evolution;
 import mmneat.evolution.EvolutionSettings;
 import mmneat.evolution.EvolutionState;
@@ -42,7 +43,13 @@ class RunRecorderTest {
             RunRecorder recorder = new RunRecorder(
                     task,
                     folder,
-                    new RunFiles(folder, task, new RunFiles.Choice(true, true, false, true)),
+                    new RunFiles(
+                            folder,
+                            task,
+                            Set.of(
+                                    RunFiles.Choice.LOGS,
+                                    RunFiles.Choice.NETWORKS,
+                                    RunFiles.Choice.NEWEST_NETWORKS_ONLY)),
                     new CheckpointFile(directory),
                     lock,
                     new CommitGate(),
