@@ -15,7 +15,7 @@ public final class UserError extends RuntimeException {
 
     /**
      * @param message one line, without a full stop at the end
-     * @param cause kept for whoever debugs; it is not shown to the user
+     * @param cause kept for debugging; it is not shown to the user
      */
     public UserError(String message, Throwable cause) {
         super(message, cause);

@@ -22,8 +22,8 @@ import mmneat.neat.io.GenotypeXml;
  * Writes what the original writes into a run's folder: score files, logs, gnuplot scripts, champions, networks and archetype.
  *
  * <p>All files of a generation are written when it is over. A generation that was interrupted is evolved again, and its files
- * come out the same. The networks are the exception if only the newest are wanted: they follow from the checkpoint, they are many,
- * and most would be deleted at once; {@link #writeNewestNetworks} writes them.
+ * come out the same. The networks are the exception if only the newest are wanted: they follow from the checkpoint, and most
+ * would be deleted at once. {@link #writeNewestNetworks} writes them.
  *
  * <p>Source: docs/specification/evolution.md, section 5.
  */
@@ -103,9 +103,9 @@ public final class RunFiles implements EvolutionObserver {
             writeScores(RunLayout.CHILDREN, generation.number(), generation.children());
             log(childLog, generation.number(), scores(generation.children()));
             logParents(generation);
-            List<Individual> everybody = Stream.concat(generation.parents().stream(), generation.children().stream())
+            List<Individual> all = Stream.concat(generation.parents().stream(), generation.children().stream())
                     .toList();
-            log(performanceLog, generation.number(), EvaluationCosts.of(everybody, task.trials()));
+            log(performanceLog, generation.number(), EvaluationCosts.of(all, task.trials()));
             logOffspring(generation);
             generation
                     .tug()

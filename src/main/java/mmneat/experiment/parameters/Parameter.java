@@ -10,7 +10,7 @@ import mmneat.experiment.UserError;
  *
  * @param name the name, for most the original's
  * @param type kind of the value
- * @param defaultValue the value if nobody gives one, in canonical form
+ * @param defaultValue the value if none is given, in canonical form
  * @param support what becomes of it here
  * @param allowed the values that it may have
  * @param group heading under which it is listed

@@ -20,8 +20,8 @@ import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * Reads what somebody asks for: built-in defaults, over them what the paper sets for the task and method, over them the
- * parameter file ({@code config=FILE}), over them the command line.
+ * Reads the parameters of an experiment from their layers. Later layers override earlier ones: the defaults, what the paper sets
+ * for the task and method, the parameter file ({@code config=FILE}), the command line.
  */
 public final class ParameterReader {
 
@@ -48,7 +48,8 @@ public final class ParameterReader {
         Map<String, String> file = commandLine.containsKey("config") ? file(commandLine.get("config")) : Map.of();
         Map<String, String> asked = new LinkedHashMap<>(file);
         if (WHICH_RUNS.stream().anyMatch(commandLine::containsKey)) {
-            // The file may be of one run (parameters.properties); whoever asks for others means what it says besides.
+            // The file may be that of one run (parameters.properties): a command line that asks for other runs takes
+            // everything else from it.
             asked.keySet().removeAll(WHICH_RUNS);
         }
         asked.putAll(commandLine);
@@ -103,7 +104,10 @@ public final class ParameterReader {
         return layer;
     }
 
-    /** A file may hold defaults that nobody asked for, as that of every run does; on the command line each word is meant. */
+    /**
+     * Notes parameters of the game that are given for another task. The file of a run holds every default, so that in a file
+     * only other values count; on the command line each word counts.
+     */
     private static void remarkOnGame(Map<String, String> commandLine, Parameters parameters, List<String> remarks) {
         List<String> idle = GameParameters.ofTheGameAlone().stream()
                 .filter(name -> commandLine.containsKey(name)

@@ -15,7 +15,7 @@ import mmneat.experiment.PlainText;
 /**
  * A value for every parameter, all of them checked: the defaults, and over them what the layers gave.
  *
- * <p>Immutable. Made by {@link ParameterReader}; whoever needs more than a few values binds them to a record whose
+ * <p>Immutable. Made by {@link ParameterReader}. Code that needs more than a few values binds them to a record whose
  * components have the parameters' names ({@link #as}).
  */
 public final class Parameters {

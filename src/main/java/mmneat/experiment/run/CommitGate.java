@@ -6,8 +6,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
 
 /**
- * Lets runs write their generations, any number at a time, until it is closed: then nothing is being written and nothing will
- * be, so that the program can end.
+ * A gate that runs pass to write a generation, any number at a time, until it is closed. Once it is closed, nothing is being
+ * written and nothing will be, so that the program can end.
  */
 final class CommitGate {
 
@@ -33,9 +33,9 @@ final class CommitGate {
     }
 
     /**
-     * Waits until nobody writes, and closes.
+     * Waits until no run writes, and closes.
      *
-     * @return false if somebody still wrote when the time was over; the gate is then open
+     * @return false if a run still wrote when the time was over; the gate is then open
      */
     boolean close(Duration patience) throws InterruptedException {
         if (!lock.writeLock().tryLock(patience.toMillis(), TimeUnit.MILLISECONDS)) {

@@ -11,7 +11,7 @@ import mmneat.experiment.parameters.PublishedTask;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * What somebody asks for, run by run: {@code runs=30} means the runs 0 to 29 with the seeds 0 to 29.
+ * The runs of an experiment: {@code runs=30} means the runs 0 to 29 with the seeds 0 to 29.
  *
  * @param parameters what is common to all runs
  * @param name what the files of all runs start with, for instance {@code blended-2M}

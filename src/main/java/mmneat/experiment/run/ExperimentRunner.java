@@ -65,8 +65,8 @@ public final class ExperimentRunner {
     }
 
     /**
-     * Makes sure that the plan can be carried out, as far as that can be told before it is: nobody wants to learn from thirty jobs
-     * of a cluster that a file is missing.
+     * Makes sure that the plan can be carried out, as far as that can be checked before it starts: a missing file should not
+     * end thirty jobs of a cluster.
      *
      * @throws UserError if not
      */
@@ -151,7 +151,7 @@ public final class ExperimentRunner {
             throw new IllegalStateException("a run's outcome was lost", e.getCause());
         } finally {
             workers.shutdownNow();
-            // Whoever interrupts may do as he likes with the folders afterwards; a second interruption does not wait.
+            // The caller may delete the folders after this returns. A second interruption does not wait.
             workers.awaitTermination(Long.MAX_VALUE, TimeUnit.NANOSECONDS);
         }
     }

@@ -3,7 +3,7 @@ package mmneat.experiment.run;
 import java.time.Duration;
 import java.util.function.LongSupplier;
 
-/** How one run goes, for whoever shows progress: written by the run's thread, read by any. */
+/** The progress of one run: written by the run's thread, read by any thread. */
 public final class RunMonitor {
 
     /** What a run is doing. */

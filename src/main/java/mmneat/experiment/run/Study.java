@@ -48,7 +48,7 @@ public record Study(List<Part> parts, List<String> remarks) {
         List<String> common = words.stream()
                 .filter(word -> !isNamed(word, "task") && !isNamed(word, "method"))
                 .toList();
-        // A name that is no method at all is a mistake, not a combination that nobody published.
+        // A name that is no method at all is a mistake, not a combination that was not published.
         List<String> known = methods.contains(ALL)
                 ? List.of()
                 : methods.stream()
