@@ -38,7 +38,7 @@ final class ChampionTask {
         }
         ghostLocations.ifPresent(file -> words.add(Tasks.GHOST_LOCATIONS + "=" + file));
         Task task = Tasks.factory(new ParameterReader(ParameterCatalogue.load())
-                        .read(words)
+                        .readForGames(words)
                         .parameters())
                 .get();
         if (task.inputs() != champion.genotype().inputs()) {

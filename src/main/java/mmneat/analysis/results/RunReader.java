@@ -41,15 +41,12 @@ public final class RunReader {
      */
     public static double[] championScores(Path folder) {
         Path table = folder.resolve(RunLayout.GENERATIONS);
-        return Files.exists(table)
-                ? column(table, 1, ",", RunLayout.championScoreColumnOfTable())
-                : column(
-                        RunLayout.parentsLogIn(folder)
-                                .orElseThrow(() ->
-                                        new UserError(folder + ": has no " + RunLayout.GENERATIONS + " any more")),
-                        0,
-                        "\t",
-                        RunLayout.championScoreColumnOfLog());
+        if (Files.exists(table)) {
+            return column(table, 1, ",", RunLayout.championScoreColumnOfTable());
+        }
+        Path log = RunLayout.parentsLogIn(folder)
+                .orElseThrow(() -> new UserError(folder + ": has no " + RunLayout.GENERATIONS + " any more"));
+        return column(log, 0, "\t", ParentsLog.championScoreColumn(log));
     }
 
     private static double[] column(Path file, int headerLines, String separator, int column) {

@@ -1,6 +1,7 @@
 package mmneat.experiment.parameters;
 
 import java.util.Locale;
+import java.util.Set;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
@@ -27,6 +28,16 @@ public record Parameter(
 
     /** The heading of the parameters that the original does not have. */
     static final String EVERYDAY = "Everyday";
+
+    private static final Set<String> OF_EVOLUTION_ALONE = Set.of(
+            "Run control",
+            "Selection and evaluation",
+            "Objectives",
+            "Post-evaluation and display",
+            "Training camps",
+            "Other domains",
+            "Evolution extras",
+            "TUG");
 
     /** What becomes of a parameter. */
     public enum Support {
@@ -64,6 +75,21 @@ public record Parameter(
             throw badValue(text);
         }
         return canonical;
+    }
+
+    /** Whether {@link #check} lets a value pass. */
+    boolean accepts(String text) {
+        try {
+            check(text);
+            return true;
+        } catch (UserError e) {
+            return false;
+        }
+    }
+
+    /** Whether the parameter has to do with how a network plays, and not with its evolution alone. */
+    boolean decidesGames() {
+        return name.equals("task") || !OF_EVOLUTION_ALONE.contains(group);
     }
 
     /** The values that are allowed, in words. */

@@ -13,7 +13,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
@@ -24,9 +23,6 @@ import mmneat.mspacman.TaskVersion;
  * for the task and method, the parameter file ({@code config=FILE}), the command line.
  */
 public final class ParameterReader {
-
-    /** The original's saved files: a name, a colon and, without any escapes, the value. */
-    private static final Pattern ORIGINAL_LINE = Pattern.compile("\\w+:[^=]*");
 
     private static final List<String> WHICH_RUNS = List.of("runs", "run", "runNumber", "randomSeed");
 
@@ -43,9 +39,24 @@ public final class ParameterReader {
      * @throws UserError for anything that is not understood
      */
     public Result read(List<String> words) {
+        return read(words, false);
+    }
+
+    /**
+     * The same for games with a network whose run the file ({@code config=}) describes: a value that decides nothing but the
+     * evolution of networks may be one that is not supported.
+     *
+     * @throws UserError for anything else that is not understood
+     */
+    public Result readForGames(List<String> words) {
+        return read(words, true);
+    }
+
+    private Result read(List<String> words, boolean forGames) {
         List<String> remarks = new ArrayList<>();
         Map<String, String> commandLine = commandLine(words, remarks);
-        Map<String, String> file = commandLine.containsKey("config") ? file(commandLine.get("config")) : Map.of();
+        Map<String, String> file =
+                commandLine.containsKey("config") ? file(commandLine.get("config"), forGames, remarks) : Map.of();
         Map<String, String> asked = new LinkedHashMap<>(file);
         if (WHICH_RUNS.stream().anyMatch(commandLine::containsKey)) {
             // The file may be that of one run (parameters.properties): a command line that asks for other runs takes
@@ -123,17 +134,21 @@ public final class ParameterReader {
     }
 
     /** A parameter file: Java properties, or one that the original saved. */
-    private Map<String, String> file(String name) {
+    private Map<String, String> file(String name, boolean forGames, List<String> remarks) {
         Map<String, String> layer;
         try {
             String text = text(Files.readAllBytes(Path.of(name)));
-            List<String> lines = text.lines().filter(line -> !line.isBlank()).toList();
-            layer = !lines.isEmpty()
-                            && lines.stream()
-                                    .allMatch(
-                                            line -> ORIGINAL_LINE.matcher(line).matches())
-                    ? savedByOriginal(lines)
-                    : PropertiesFile.read(new StringReader(text));
+            List<String> lines = text.lines().toList();
+            if (OriginalParameterFile.isOne(lines)) {
+                OriginalParameterFile file = OriginalParameterFile.of(lines, catalogue);
+                layer = new LinkedHashMap<>(file.values());
+                file.remark(name).ifPresent(remarks::add);
+            } else {
+                layer = PropertiesFile.read(new StringReader(text));
+            }
+            if (forGames) {
+                layer.entrySet().removeIf(this::concernsUnsupportedEvolution);
+            }
             Parameters.defaults(catalogue).with(layer);
         } catch (IOException e) {
             throw new UserError("config=" + name + ": cannot be read: " + FileErrors.reason(e), e);
@@ -145,6 +160,11 @@ public final class ParameterReader {
             throw new UserError(name + ": config= is for the command line only");
         }
         return layer;
+    }
+
+    private boolean concernsUnsupportedEvolution(Map.Entry<String, String> entry) {
+        Optional<Parameter> parameter = catalogue.find(entry.getKey()).filter(known -> !known.decidesGames());
+        return parameter.isPresent() && !parameter.get().accepts(entry.getValue());
     }
 
     /** What a file says, in UTF-8, with or without the mark that some editors put first. */
@@ -165,21 +185,6 @@ public final class ParameterReader {
     private static String besideFile(String parameterFile, String name) {
         Path beside = Path.of(parameterFile).resolveSibling(name);
         return !name.isEmpty() && Files.isRegularFile(beside) ? beside.toString() : name;
-    }
-
-    private Map<String, String> savedByOriginal(List<String> lines) {
-        Map<String, String> layer = new LinkedHashMap<>();
-        for (String line : lines) {
-            int colon = line.indexOf(':');
-            String name = line.substring(0, colon);
-            String value = line.substring(colon + 1);
-            boolean isFlag = catalogue
-                    .find(name)
-                    .filter(parameter -> parameter.type() == ParameterType.BOOLEAN)
-                    .isPresent();
-            layer.put(name, isFlag ? Boolean.toString(value.equalsIgnoreCase("true")) : value);
-        }
-        return layer;
     }
 
     private Map<String, String> preset(String task, String method) {

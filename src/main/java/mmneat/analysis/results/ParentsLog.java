@@ -1,0 +1,49 @@
+package mmneat.analysis.results;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import mmneat.experiment.FileErrors;
+import mmneat.experiment.UserError;
+import mmneat.experiment.store.RunLayout;
+
+/** The columns of a log of parents, of the original or of one of its later versions. */
+final class ParentsLog {
+
+    private static final Pattern TITLE = Pattern.compile("set title \".* Game ?Score\"");
+    private static final Pattern LARGEST = Pattern.compile(".* u 1:(\\d+) t \"MAX\".*");
+
+    private ParentsLog() {}
+
+    /**
+     * The column of the champion's score, counted from 1: the gnuplot script beside the log names it, because other objectives and
+     * scores move it.
+     */
+    static int championScoreColumn(Path log) {
+        Path script = log.resolveSibling(log.getFileName().toString().replaceFirst("\\.txt$", ".plot"));
+        if (!Files.exists(script)) {
+            return RunLayout.championScoreColumnOfLog();
+        }
+        boolean found = false;
+        for (String line : lines(script)) {
+            found |= TITLE.matcher(line).matches();
+            Matcher largest = LARGEST.matcher(line);
+            if (found && largest.matches()) {
+                return Integer.parseInt(largest.group(1));
+            }
+        }
+        return RunLayout.championScoreColumnOfLog();
+    }
+
+    private static List<String> lines(Path file) {
+        try {
+            return Files.readAllLines(file, StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
+        }
+    }
+}
