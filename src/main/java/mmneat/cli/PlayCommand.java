@@ -43,10 +43,8 @@ import picocli.CommandLine.Option;
             "",
             "Example: mmneat play pacman=StarterPacMan ghosts=Legacy games=1000 seed=1",
             "Example: mmneat play classpath=entry.jar pacman=my.Entry view=true",
-            "Example: mmneat play pacmanClasspath=a.jar pacman=MyPacMan ghostsClasspath=b.jar ghosts=MyGhosts games=100",
             "",
-            "An entry is a program that runs with your rights: it can read and write your files, open connections and",
-            "start programs. Play entries that you do not trust in a container or under an account of their own.",
+            "An entry runs with your rights: it can read and write your files, open connections and start programs.",
             "",
         })
 final class PlayCommand extends ConsoleCommand implements Runnable {
@@ -234,9 +232,9 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
 
     private static <T> Contestant<T> contestant(
             ControllerFactory<T> factory, String option, String value, String ownClassPath) {
-        if (ownClassPath != null && factory.origin().isEmpty()) {
+        if (ownClassPath != null && !places(ownClassPath).contains(Path.of(factory.origin()))) {
             throw new UserError(option + "=" + value + ": there is no such class in " + ownClassPath
-                    + ", only one that comes with the program; leave " + option + "Classpath= out to play that");
+                    + ", only elsewhere; leave " + option + "Classpath= out to play that");
         }
         return new Contestant<>(factory.name(), factory.origin(), factory::create);
     }
