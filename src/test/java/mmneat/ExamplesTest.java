@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The first programs: they run, are short, and stand in README.md as they are. */
+/** The first programs: they run, are short, and are printed unchanged in README.md or docs/libraries.md. */
 class ExamplesTest {
 
     private static final Path PROJECT =
@@ -45,8 +45,9 @@ class ExamplesTest {
     }
 
     @Test
-    void examples_areShort_andStandInTheReadme() throws IOException {
-        String readme = Files.readString(PROJECT.resolve("README.md")).replace("\r\n", "\n");
+    void examples_areShort_andArePrintedInTheDocuments() throws IOException {
+        String readme = document("README.md");
+        String libraries = document("docs/libraries.md");
         List<Path> files;
         try (Stream<Path> found = Files.list(EXAMPLES)) {
             files = found.sorted().toList();
@@ -55,7 +56,12 @@ class ExamplesTest {
         for (Path file : files) {
             String code = Files.readString(file).replace("\r\n", "\n");
             assertThat(code.lines().count()).as(file.toString()).isLessThanOrEqualTo(MOST_LINES);
-            assertThat(readme).contains("```java\n" + code + "```\n");
+            assertThat(readme + libraries).contains("```java\n" + code + "```\n");
         }
+        assertThat(readme).as("a first program on the first page").contains("```java\n");
+    }
+
+    private static String document(String name) throws IOException {
+        return Files.readString(PROJECT.resolve(name)).replace("\r\n", "\n");
     }
 }
