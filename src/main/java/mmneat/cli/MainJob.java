@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.experiment.parameters.ParameterCatalogue;
@@ -33,6 +35,8 @@ final class MainJob implements Callable<Integer> {
 
     /** How long an interrupted program finishes what it is writing; less than the five seconds schedulers give at least. */
     private static final Duration LAST_WRITES = Duration.ofSeconds(4);
+
+    private static final Set<RunMonitor.Phase> FAILURES = EnumSet.of(RunMonitor.Phase.FAILED, RunMonitor.Phase.STOPPED);
 
     private final List<String> words;
     private final PrintWriter out;
@@ -132,7 +136,7 @@ final class MainJob implements Callable<Integer> {
     }
 
     private void reportTrouble(RunOutcome outcome) {
-        if (!outcome.isComplete()) {
+        if (outcome.message() != null) {
             errors.println("mmneat: run " + outcome.run().number() + ": " + outcome.message());
         }
         if (outcome.failure() != null) {
@@ -147,6 +151,7 @@ final class MainJob implements Callable<Integer> {
         }
         boolean onlyInUse = outcomes.stream()
                 .allMatch(outcome -> outcome.isComplete() || outcome.phase() == RunMonitor.Phase.IN_USE);
-        return onlyInUse ? IN_USE : ExitCode.SOFTWARE;
+        boolean noneFailed = outcomes.stream().noneMatch(outcome -> FAILURES.contains(outcome.phase()));
+        return onlyInUse ? IN_USE : noneFailed ? ExitCode.USAGE : ExitCode.SOFTWARE;
     }
 }

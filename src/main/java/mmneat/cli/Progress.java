@@ -76,6 +76,7 @@ final class Progress {
     static String counts(List<Snapshot> runs) {
         return count(runs, Phase.FINISHED) + count(runs, Phase.ALREADY_FINISHED) + " of " + runs.size() + " done"
                 + others(runs, Phase.IN_USE, "in use elsewhere")
+                + others(runs, Phase.REFUSED, "refused")
                 + others(runs, Phase.FAILED, "failed")
                 + others(runs, Phase.STOPPED, "stopped");
     }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
+import mmneat.neat.ModuleLayout;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -62,5 +63,33 @@ public record EvolutionState(
                 pool.state(),
                 random.state(),
                 settings.tug().map(Tug::initial).orElse(null));
+    }
+
+    /**
+     * Makes sure that this state, which may come from a file, is one that an evolution with these settings can be in.
+     *
+     * @throws IllegalArgumentException if the population has another size or other inputs, outputs or modules than the settings
+     *     make, if two genotypes have one id, or if the population is not of the pool; the message says which
+     */
+    public void requireReachable(EvolutionSettings settings) {
+        if (population.size() != settings.populationSize()) {
+            throw new IllegalArgumentException(
+                    "the population has " + population.size() + " genotypes, mu is " + settings.populationSize());
+        }
+        int inputs = settings.initialNetworks().inputs();
+        ModuleLayout layout = settings.initialNetworks().layout();
+        for (Genotype genotype : population) {
+            boolean isOfTask = genotype.inputs() == inputs
+                    && genotype.layout().policyNeuronsPerModule() == layout.policyNeuronsPerModule()
+                    && genotype.layout().standardMultitask() == layout.standardMultitask();
+            if (!isOfTask || layout.standardMultitask() && genotype.modules() != layout.modules()) {
+                throw new IllegalArgumentException(genotype + " is no network for this task, which has " + inputs
+                        + " inputs and " + layout.policyNeuronsPerModule() + " policy neurons a module");
+            }
+            if (genotype.moduleUsage().length > genotype.modules()) {
+                throw new IllegalArgumentException("the module usage of " + genotype + " is of more modules");
+            }
+        }
+        pool.requireOwn(population);
     }
 }

@@ -24,7 +24,7 @@ public final class PlainText {
                 });
     }
 
-    /** The text on one line, with a question mark for each character that is not plain. */
+    /** The text on one line, with a question mark for each character that is neither plain nor a tab. */
     public static String shown(String text) {
         StringBuilder shown = new StringBuilder(text);
         IntStream.range(0, text.length()).filter(i -> !isPlain(text, i)).forEach(i -> shown.setCharAt(i, '?'));

@@ -195,5 +195,41 @@ public final class Archetype {
             entries = List.copyOf(Objects.requireNonNull(entries, "entries"));
             shadows = Collections.unmodifiableSortedMap(new TreeMap<>(Objects.requireNonNull(shadows, "shadows")));
         }
+
+        /** Makes sure that the entries are different neurons: inputs, hidden neurons, outputs; and that shadows are entries. */
+        void requireOrder() {
+            Set<Long> innovations = new HashSet<>();
+            NodeType last = NodeType.INPUT;
+            for (NodeGene entry : entries) {
+                if (!innovations.add(entry.innovation())) {
+                    throw new IllegalArgumentException("archetype: neuron " + entry.innovation() + " occurs twice");
+                }
+                if (entry.type().compareTo(last) < 0) {
+                    throw new IllegalArgumentException("archetype: neuron " + entry.innovation() + " of type "
+                            + entry.type() + " stands behind one of type " + last);
+                }
+                last = entry.type();
+            }
+            shadows.forEach((neuron, shadow) -> {
+                if (shadow == null || !innovations.contains(neuron) || !innovations.contains(shadow)) {
+                    throw new IllegalArgumentException(
+                            "archetype: neuron " + neuron + " and its shadow " + shadow + " are not both entries");
+                }
+            });
+        }
+
+        /** Makes sure that the inputs and hidden neurons of a genotype stand here in the same order. */
+        void requireSameOrder(Genotype genotype) {
+            int next = 0;
+            for (NodeGene neuron : genotype.nodes().subList(0, genotype.firstOutput())) {
+                while (next < entries.size() && entries.get(next).innovation() != neuron.innovation()) {
+                    next++;
+                }
+                if (next == entries.size()) {
+                    throw new IllegalArgumentException("archetype: neuron " + neuron.innovation() + " of genotype "
+                            + genotype.id() + " stands in another place than in the genotype");
+                }
+            }
+        }
     }
 }

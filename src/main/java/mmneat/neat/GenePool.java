@@ -1,6 +1,9 @@
 package mmneat.neat;
 
+import java.util.Collection;
+import java.util.HashSet;
 import java.util.Objects;
+import java.util.Set;
 
 /**
  * What the genotypes of one population share: the counters of innovations and of genotype ids, and the archetype.
@@ -103,6 +106,37 @@ public final class GenePool {
                 throw new IllegalArgumentException("nextInnovation must not be negative, is " + nextInnovation);
             }
             Objects.requireNonNull(archetype, "archetype");
+        }
+
+        /**
+         * Makes sure that a population can be of a pool in this state, which may come from a file.
+         *
+         * @throws IllegalArgumentException if the archetype is no order of neurons, a genotype has neurons or links that are
+         *     not of the pool, in another order, or an id that the pool would give again; the message says which
+         */
+        public void requireOwn(Collection<Genotype> population) {
+            archetype.requireOrder();
+            archetype.entries().forEach(entry -> requireTaken("archetype: a neuron", entry.innovation()));
+            GenePool pool = resume(this);
+            Set<Long> ids = new HashSet<>();
+            for (Genotype genotype : population) {
+                pool.requireOwn(genotype);
+                archetype.requireSameOrder(genotype);
+                if (genotype.id() >= nextGenotypeId) {
+                    throw new IllegalArgumentException(
+                            "nextGenotypeId is " + nextGenotypeId + ", but there is a genotype " + genotype.id());
+                }
+                if (!ids.add(genotype.id())) {
+                    throw new IllegalArgumentException("two genotypes have the id " + genotype.id());
+                }
+            }
+        }
+
+        private void requireTaken(String what, long innovation) {
+            if (innovation >= nextInnovation) {
+                throw new IllegalArgumentException(
+                        what + " has innovation " + innovation + ", but nextInnovation is " + nextInnovation);
+            }
         }
     }
 }

@@ -177,11 +177,14 @@ public final class ResumableRandom extends Random {
         /**
          * A checked state.
          *
-         * @throws IllegalArgumentException if the bits are not 48
+         * @throws IllegalArgumentException if the bits are not 48, or the Gaussian is not finite
          */
         public State {
             if (bits < 0 || bits > MASK) {
                 throw new IllegalArgumentException("generator state must be in [0, 2^48), is " + bits);
+            }
+            if (!Double.isFinite(cachedGaussian)) {
+                throw new IllegalArgumentException("cached Gaussian must be finite, is " + cachedGaussian);
             }
         }
     }

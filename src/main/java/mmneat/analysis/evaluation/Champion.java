@@ -10,6 +10,7 @@ import mmneat.analysis.results.RunParameters;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.RunLayout;
+import mmneat.experiment.store.SymbolicLinks;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeFiles;
 import mmneat.neat.io.GenotypeFormatException;
@@ -35,6 +36,9 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
      * @throws UserError if there is none
      */
     public static Champion read(Path path) {
+        if (Files.isDirectory(path)) {
+            SymbolicLinks.refuseIn(path);
+        }
         Path file = Files.isDirectory(path)
                 ? RunLayout.championIn(path)
                         .orElseThrow(() -> new UserError(path + ": there is no champion in this folder ("
@@ -45,6 +49,7 @@ public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, M
         }
         try {
             Optional<Path> folder = runFolder(file);
+            folder.ifPresent(SymbolicLinks::refuseIn);
             return new Champion(GenotypeFiles.read(file), file, folder, RunParameters.read(folder));
         } catch (GenotypeFormatException e) {
             throw new UserError(e.getMessage(), e);

@@ -13,6 +13,7 @@ import java.util.Optional;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.RunLayout;
+import mmneat.experiment.store.SymbolicLinks;
 
 /**
  * Reads the folder of a run, ours or the original's: the champion's scores, the parameters, the evaluation.
@@ -28,6 +29,7 @@ public final class RunReader {
     }
 
     static RunResult read(Path folder) {
+        SymbolicLinks.refuseIn(folder);
         Map<String, String> parameters = RunParameters.read(Optional.of(folder));
         return new RunResult(
                 folder, number(folder, parameters), parameters, championScores(folder), evaluation(folder));

@@ -14,6 +14,7 @@ import mmneat.experiment.UserError;
 import mmneat.experiment.store.DoubleText;
 import mmneat.experiment.store.RunFolder;
 import mmneat.experiment.store.RunLayout;
+import mmneat.experiment.store.SymbolicLinks;
 import mmneat.nsga2.Hypervolume;
 
 /**
@@ -59,6 +60,7 @@ public final class RunSummaries {
      * @throws java.io.UncheckedIOException if a summary cannot be written
      */
     public void write(List<Integer> runs) {
+        runs.forEach(run -> SymbolicLinks.refuseIn(folderOf(run).directory()));
         writeHypervolumes(runs);
         writeAverages(runs, HYPERVOLUMES + ".txt");
         writeHypervolumePlots(runs);

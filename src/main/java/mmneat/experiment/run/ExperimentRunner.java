@@ -23,11 +23,13 @@ import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.EvolutionParameters;
 import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.parameters.Tasks;
+import mmneat.experiment.store.CheckpointFile;
 import mmneat.experiment.store.DurableFiles;
 import mmneat.experiment.store.GhostLocationsCopy;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunParametersFile;
 import mmneat.experiment.store.RunStatus;
+import mmneat.experiment.store.SymbolicLinks;
 import mmneat.mspacman.TaskVersion;
 
 /**
@@ -90,6 +92,8 @@ public final class ExperimentRunner {
     private static void requireContinuable(RunPlan run) {
         RunParametersFile file = new RunParametersFile(run.directory());
         try {
+            SymbolicLinks.refuseIn(run.directory());
+            new CheckpointFile(run.directory()).requireNoRun();
             if (file.exists()) {
                 file.requireSame(run.parameters());
             }

@@ -13,6 +13,8 @@ public final class RunMonitor {
         FINISHED,
         ALREADY_FINISHED,
         IN_USE,
+        /** Its folder cannot be continued in, and nothing in it was changed. */
+        REFUSED,
         FAILED,
         STOPPED
     }

@@ -7,6 +7,7 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import mmneat.evolution.BadEvaluationException;
@@ -24,6 +25,7 @@ import mmneat.experiment.original.RunFiles;
 import mmneat.experiment.parameters.EvolutionParameters;
 import mmneat.experiment.parameters.Parameters;
 import mmneat.experiment.store.Checkpoint;
+import mmneat.experiment.store.CheckpointCheck;
 import mmneat.experiment.store.CheckpointFile;
 import mmneat.experiment.store.DurableFiles;
 import mmneat.experiment.store.GhostLocationsCopy;
@@ -31,6 +33,7 @@ import mmneat.experiment.store.RunFolder;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunParametersFile;
 import mmneat.experiment.store.RunStatus;
+import mmneat.experiment.store.SymbolicLinks;
 
 /** Does one run, from its beginning or from its checkpoint to its end, on the calling thread. */
 final class RunWorker {
@@ -41,6 +44,9 @@ final class RunWorker {
     private final RunMonitor monitor;
     private final CommitGate gate;
     private final Set<RunLock> heldLocks;
+
+    /** Whether the folder was found to be one that the run can be continued in, so that files in it may change. */
+    private boolean isFolderAccepted;
 
     /**
      * @param tasks makes tasks, each for one thread
@@ -71,6 +77,7 @@ final class RunWorker {
 
     private RunOutcome outcome() {
         try {
+            SymbolicLinks.refuseIn(run.directory());
             Optional<RunStatus> status = RunStatus.read(run.directory());
             if (status.isPresent() && run.isFinished(status.get())) {
                 return new RunOutcome(run, RunMonitor.Phase.ALREADY_FINISHED, status.get(), null, null);
@@ -115,6 +122,9 @@ final class RunWorker {
         if (isInterruption(e)) {
             return new RunOutcome(run, RunMonitor.Phase.STOPPED, null, "stopped", null);
         }
+        if (e instanceof UserError && !isFolderAccepted) {
+            return new RunOutcome(run, RunMonitor.Phase.REFUSED, null, e.getMessage(), null);
+        }
         if (e instanceof UserError) {
             return failed(e.getMessage(), null);
         }
@@ -144,8 +154,17 @@ final class RunWorker {
         CheckpointFile checkpoint = new CheckpointFile(run.directory());
 
         GhostLocationsCopy.requireSame(run.directory(), run.parameters());
+        Optional<Checkpoint> saved = checkpoint.load(new CheckpointCheck(settings, run.prefix()));
+        if (saved.isPresent()) {
+            run.requireAtLeast(saved.get().evolution().generation());
+        } else {
+            checkpoint.requireNoRun();
+        }
+        isFolderAccepted = true;
+        EvolutionState state = saved.isPresent()
+                ? goOn(saved.get(), folder, files, checkpoint)
+                : begin(EvolutionState.initial(settings), folder, files, checkpoint);
         GhostLocationsCopy.keep(run.directory(), run.parameters());
-        EvolutionState state = begin(settings, folder, files, checkpoint);
         parametersFile.write(run.parameters());
         RunStatus status = new RunStatus(
                 RunStatus.State.RUNNING, state.generation(), run.generations(), Double.NaN, Double.NaN, 0, 0, null);
@@ -156,7 +175,10 @@ final class RunWorker {
                 new RunRecorder(task, folder, files, checkpoint, lock, gate, monitor, checkpoints, status);
         monitor.started(state.generation());
         evolve(settings, state, task, recorder);
-        return new RunOutcome(run, RunMonitor.Phase.FINISHED, recorder.status(), null, null);
+        String damage = checkpoint.damage().isEmpty()
+                ? null
+                : run.directory() + ": continued from its previous checkpoint, " + checkpoint.damage();
+        return new RunOutcome(run, RunMonitor.Phase.FINISHED, recorder.status(), damage, null);
     }
 
     private void requireDeterminism(Task task) {
@@ -168,20 +190,23 @@ final class RunWorker {
         }
     }
 
-    private EvolutionState begin(
-            EvolutionSettings settings, RunFolder folder, RunFiles files, CheckpointFile checkpoint)
+    /** The checkpoint comes first: without one, a folder with files in it belongs to another run. */
+    private static EvolutionState begin(
+            EvolutionState initial, RunFolder folder, RunFiles files, CheckpointFile checkpoint) throws IOException {
+        checkpoint.save(Checkpoint.of(initial, Map.of(), new TreeMap<>()));
+        files.begin(initial);
+        folder.flush();
+        return initial;
+    }
+
+    private EvolutionState goOn(Checkpoint last, RunFolder folder, RunFiles files, CheckpointFile checkpoint)
             throws IOException {
-        Optional<Checkpoint> saved = checkpoint.load();
-        if (saved.isEmpty()) {
-            EvolutionState initial = EvolutionState.initial(settings);
-            files.begin(initial);
-            folder.flush();
-            return initial;
-        }
-        Checkpoint last = saved.get();
-        run.requireAtLeast(last.evolution().generation());
         folder.cutTo(last.logs());
-        files.writeNewestNetworks(last.evolution());
+        if (last.evolution().generation() == 0) {
+            files.begin(last.evolution());
+        } else {
+            files.writeNewestNetworks(last.evolution());
+        }
         folder.flush();
         if (!last.wasForced()) {
             DurableFiles.force(last.unforced().keySet().stream()

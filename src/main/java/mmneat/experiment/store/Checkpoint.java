@@ -1,17 +1,19 @@
 package mmneat.experiment.store;
 
 import com.fasterxml.jackson.annotation.JsonPropertyOrder;
+import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Map;
 import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import mmneat.evolution.EvolutionState;
-import mmneat.experiment.UserError;
+import mmneat.experiment.PlainText;
 import mmneat.neat.io.GenotypeJson;
 
 /**
@@ -34,8 +36,14 @@ public record Checkpoint(
 
     private static final String FORMAT = "mmneat-checkpoint";
     private static final int VERSION = 1;
-    private static final ObjectMapper JSON =
-            JsonMapper.builder().addModule(GenotypeJson.module()).build();
+    private static final ObjectMapper JSON = JsonMapper.builder()
+            .addModule(GenotypeJson.module())
+            .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+            .enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION)
+            .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+            .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
+            .build();
 
     public Checkpoint {
         if (!FORMAT.equals(format) || version != VERSION) {
@@ -74,17 +82,20 @@ public record Checkpoint(
     /**
      * Reads what {@link #toJson} wrote.
      *
-     * @param source the run's folder, for error messages
-     * @throws UserError if it is no checkpoint of this version
+     * @throws IOException if it is no checkpoint of this version; the message is one line
      */
-    static Checkpoint fromJson(byte[] json, Path source) throws IOException {
+    static Checkpoint fromJson(byte[] json) throws IOException {
         try {
-            return JSON.readValue(json, Checkpoint.class);
+            Checkpoint checkpoint = JSON.readValue(json, Checkpoint.class);
+            if (checkpoint == null) {
+                throw new IOException("it is null");
+            }
+            return checkpoint;
         } catch (JsonProcessingException e) {
-            throw new UserError(
-                    source + ": its checkpoint is not one of this version of the program (" + e.getOriginalMessage()
-                            + "); continue with the version that began the run, or delete the folder to start it again",
-                    e);
+            String problem = e.getCause() instanceof NullPointerException
+                    ? "a part of it is null"
+                    : e.getOriginalMessage().lines().findFirst().orElse("it is no JSON");
+            throw new IOException("it is no checkpoint of this version of the program: " + PlainText.shown(problem), e);
         }
     }
 }

@@ -1,12 +1,14 @@
 package mmneat.experiment.store;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
 import mmneat.experiment.UserError;
@@ -23,10 +25,13 @@ import mmneat.experiment.UserError;
  */
 public final class CheckpointFile {
 
+    private static final int BUFFER_BYTES = 1 << 16;
+
     private final Path directory;
     private final Path newest;
     private final Path previous;
     private boolean newestOutlivesTheMachine;
+    private String damage = "";
 
     public CheckpointFile(Path directory) {
         this.directory = directory;
@@ -63,33 +68,82 @@ public final class CheckpointFile {
     }
 
     /**
-     * The newest checkpoint that is whole and whose files are.
+     * Makes sure that the folder holds a checkpoint, or else no files of a run: results of the original, or of a run whose
+     * checkpoints were deleted, would be replaced.
+     *
+     * @throws UserError if it holds files of a run without a checkpoint
+     */
+    public void requireNoRun() throws IOException {
+        if (exists() || !Files.isDirectory(directory)) {
+            return;
+        }
+        try (Stream<Path> entries = Files.list(directory)) {
+            List<String> found = entries.map(entry -> entry.getFileName().toString())
+                    .filter(RunLayout::isNamedAsOfARun)
+                    .sorted()
+                    .toList();
+            if (!found.isEmpty()) {
+                throw new UserError(directory + ": holds files of a run (" + found.get(0)
+                        + (found.size() > 1 ? " and " + (found.size() - 1) + " more" : "")
+                        + ") but no checkpoint to continue it from, and nothing in it is replaced: give another folder with"
+                        + " base=FOLDER or saveTo=NAME, or move these files away");
+            }
+        }
+    }
+
+    /**
+     * The newest checkpoint that is whole, passes the check, and whose files are whole.
      *
      * @return empty if there is none at all
-     * @throws UserError if those that are there are damaged
+     * @throws UserError if those that are there are damaged, or one names files that are not of its run
      */
-    public Optional<Checkpoint> load() throws IOException {
+    public Optional<Checkpoint> load(CheckpointCheck check) throws IOException {
         newestOutlivesTheMachine = false;
-        String damage = "";
+        damage = "";
         for (Path file : new Path[] {newest, previous}) {
-            try (GZIPInputStream gzip = new GZIPInputStream(new ByteArrayInputStream(Files.readAllBytes(file)))) {
-                Checkpoint checkpoint = Checkpoint.fromJson(gzip.readAllBytes(), directory);
+            SymbolicLinks.refuse(file);
+            try {
+                Checkpoint checkpoint = Checkpoint.fromJson(unpack(file, check.maximumBytes()));
+                check.require(checkpoint, directory);
                 if (UnsyncedFiles.areIntact(directory, checkpoint.unforced())) {
                     newestOutlivesTheMachine = file.equals(newest) && checkpoint.wasForced();
                     return Optional.of(checkpoint);
                 }
-                damage = "files of generation " + (checkpoint.evolution().generation() - 1) + " are damaged";
+                noteDamage(
+                        file, "files of generation " + (checkpoint.evolution().generation() - 1) + " are damaged");
             } catch (NoSuchFileException e) {
                 // Killed between two renames, or never written: the other file tells.
                 continue;
-            } catch (IOException e) {
-                damage = String.valueOf(e.getMessage());
+            } catch (IOException | IllegalArgumentException e) {
+                noteDamage(file, String.valueOf(e.getMessage()));
             }
         }
         if (!damage.isEmpty()) {
-            throw new UserError(newest + " and " + previous.getFileName() + ": no whole checkpoint (" + damage
-                    + "); restore one of them, or delete " + directory + " to start the run again");
+            throw new UserError(directory + ": has no whole checkpoint: " + damage
+                    + "; restore one, continue with the version of the program that began the run, or delete "
+                    + directory
+                    + " to start the run again");
         }
         return Optional.empty();
+    }
+
+    private static byte[] unpack(Path file, long maximumBytes) throws IOException {
+        try (GZIPInputStream gzip =
+                new GZIPInputStream(Files.newInputStream(file, LinkOption.NOFOLLOW_LINKS), BUFFER_BYTES)) {
+            byte[] json = gzip.readNBytes((int) maximumBytes + 1);
+            if (json.length > maximumBytes) {
+                throw new IOException("it is larger than " + (maximumBytes >> 20) + " MiB when unpacked");
+            }
+            return json;
+        }
+    }
+
+    private void noteDamage(Path file, String reason) {
+        damage += (damage.isEmpty() ? "" : "; ") + file.getFileName() + ": " + reason;
+    }
+
+    /** What was wrong with the checkpoints that {@link #load} did not choose, in one line; empty if nothing was. */
+    public String damage() {
+        return damage;
     }
 }

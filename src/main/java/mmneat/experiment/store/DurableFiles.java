@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -14,7 +15,7 @@ import java.util.TreeSet;
 
 /**
  * Writes files whole or not at all: to a temporary name, forced to disk, renamed. A crash or a full disk at any moment
- * leaves the old file or the new one.
+ * leaves the old file or the new one. Symbolic links are replaced, never written through.
  */
 public final class DurableFiles {
 
@@ -34,7 +35,7 @@ public final class DurableFiles {
     /** Writes a file, replacing it if it exists; its folder is made if it does not exist. */
     public static void write(Path file, byte[] content) throws IOException {
         makeFolder(file.toAbsolutePath().getParent());
-        Path unfinished = writeUnfinished(file, content);
+        Path unfinished = writeUnfinished(file, content, true);
         rename(unfinished, file);
     }
 
@@ -58,8 +59,7 @@ public final class DurableFiles {
      */
     static void replace(Path file, byte[] content) throws IOException {
         makeFolder(file.toAbsolutePath().getParent());
-        Path unfinished = file.resolveSibling(file.getFileName() + UNFINISHED);
-        Files.write(unfinished, content);
+        Path unfinished = writeUnfinished(file, content, false);
         Files.move(unfinished, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     }
 
@@ -67,7 +67,7 @@ public final class DurableFiles {
     public static void force(Collection<Path> files) throws IOException {
         Set<Path> folders = new TreeSet<>();
         for (Path file : files) {
-            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS)) {
                 channel.force(true);
             }
             folders.add(file.toAbsolutePath().getParent());
@@ -86,22 +86,26 @@ public final class DurableFiles {
     /** Cuts a file at the length and adds to it; {@link #force} puts it on the disk. */
     static void appendAt(Path file, long length, byte[] content) throws IOException {
         makeFolder(file.toAbsolutePath().getParent());
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, StandardOpenOption.CREATE)) {
+        try (FileChannel channel = FileChannel.open(
+                file, StandardOpenOption.WRITE, StandardOpenOption.CREATE, LinkOption.NOFOLLOW_LINKS)) {
             channel.truncate(length);
             channel.position(length);
             writeFully(channel, content);
         }
     }
 
-    private static Path writeUnfinished(Path file, byte[] content) throws IOException {
+    private static Path writeUnfinished(Path file, byte[] content, boolean isForced) throws IOException {
         Path unfinished = file.resolveSibling(file.getFileName() + UNFINISHED);
         try (FileChannel channel = FileChannel.open(
                 unfinished,
                 StandardOpenOption.WRITE,
                 StandardOpenOption.CREATE,
-                StandardOpenOption.TRUNCATE_EXISTING)) {
+                StandardOpenOption.TRUNCATE_EXISTING,
+                LinkOption.NOFOLLOW_LINKS)) {
             writeFully(channel, content);
-            channel.force(true);
+            if (isForced) {
+                channel.force(true);
+            }
         } catch (IOException e) {
             // On a full disk the part that was written takes space and is of no use.
             Files.deleteIfExists(unfinished);

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -113,7 +114,7 @@ public final class RunFolder {
     /** The names of the folders in it, in no order. */
     public List<String> folders() {
         try (Stream<Path> entries = Files.list(directory)) {
-            return entries.filter(Files::isDirectory)
+            return entries.filter(entry -> Files.isDirectory(entry, LinkOption.NOFOLLOW_LINKS))
                     .map(folder -> folder.getFileName().toString())
                     .toList();
         } catch (IOException e) {
@@ -125,7 +126,7 @@ public final class RunFolder {
     public void deleteFolder(String name) {
         heldFiles.keySet().removeIf(file -> file.startsWith(name + "/"));
         Path folder = directory.resolve(name);
-        if (!Files.isDirectory(folder)) {
+        if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
             return;
         }
         try (Stream<Path> entries = Files.walk(folder)) {

@@ -114,6 +114,32 @@ public final class RunLayout {
         return prefix + name + "_log.txt";
     }
 
+    /** Whether a run with this prefix has a log of this name, or {@link #GENERATIONS}. */
+    static boolean isLog(String prefix, String name) {
+        return name.equals(GENERATIONS) || name.matches(Pattern.quote(prefix) + "\\w+_log\\.txt");
+    }
+
+    /** Whether a run with this prefix writes a file of this name in one of its generations. */
+    static boolean isWrittenByRun(String prefix, String name) {
+        return isLog(prefix, name)
+                || List.of(CHAMPION, ORIGINAL_CHAMPION, ORIGINAL_CHAMPION_SCORE, ARCHETYPE, CROSSOVER_MAPPING)
+                        .contains(name)
+                || name.matches("bestObjectives/(bestIn\\d+\\.xml|score\\d+\\.txt)")
+                || name.matches(Pattern.quote(prefix) + "\\w+\\.(txt|plot)")
+                || name.matches(
+                        "(?<folder>" + NETWORKS_FOLDER + ")/" + Pattern.quote(prefix) + "\\k<folder>_\\d+\\.xml");
+    }
+
+    /**
+     * Whether a file or folder of this name, in a run's folder, may be what a run of this program or of the original left; but
+     * for the lock and the status, which are there before the first checkpoint.
+     */
+    static boolean isNamedAsOfARun(String name) {
+        return !List.of(LOCK, STATUS).contains(name)
+                && (isNetworksFolder(name)
+                        || name.matches("bestPacMan|bestObjectives|.*\\.(txt|xml|csv|json|gz|plot|properties)"));
+    }
+
     /** The gnuplot script that shows a log. */
     public static String plot(String prefix, String name) {
         return prefix + name + "_log.plot";

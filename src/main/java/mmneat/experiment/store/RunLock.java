@@ -123,6 +123,7 @@ public final class RunLock implements AutoCloseable {
     /** Who holds the lock of a folder, if anybody does. */
     static Optional<Sighting> look(Path directory) throws IOException {
         Path file = file(directory);
+        SymbolicLinks.refuse(file);
         try {
             Instant signOfLife = Files.getLastModifiedTime(file).toInstant();
             return Optional.of(new Sighting(read(file), signOfLife));

@@ -69,6 +69,7 @@ public final class RunParametersFile {
      * @throws UserError if they cannot be read, or the number of the run is none
      */
     Map<String, String> read() {
+        SymbolicLinks.refuse(file);
         Map<String, String> values = PropertiesFile.read(file);
         PropertiesFile.requireWholeNumber(file, values, "runNumber");
         return values;

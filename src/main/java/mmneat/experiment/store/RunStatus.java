@@ -48,8 +48,9 @@ public record RunStatus(
 
     /** The status in a run's folder; empty if there is none that can be read. */
     public static Optional<RunStatus> read(Path directory) throws IOException {
+        SymbolicLinks.refuse(file(directory));
         try {
-            return Optional.of(JSON.readValue(Files.readAllBytes(file(directory)), RunStatus.class));
+            return Optional.ofNullable(JSON.readValue(Files.readAllBytes(file(directory)), RunStatus.class));
         } catch (NoSuchFileException | JsonProcessingException e) {
             // Not begun, or a file of somebody else: the run's checkpoint counts, not this.
             return Optional.empty();

@@ -3,8 +3,10 @@ package mmneat.experiment.store;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -15,6 +17,8 @@ import java.util.zip.CRC32C;
  * the operating system may have lost any of it. Checksums tell whether it is still there.
  */
 public final class UnsyncedFiles {
+
+    private static final int BLOCK_BYTES = 1 << 16;
 
     private final Path directory;
 
@@ -35,17 +39,20 @@ public final class UnsyncedFiles {
     public record Stretch(long from, long to, long checksum) {
 
         boolean isIntactIn(Path file) throws IOException {
-            try (FileChannel channel = FileChannel.open(file)) {
-                if (channel.size() < to) {
-                    return false;
-                }
-                ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(to - from));
-                while (bytes.hasRemaining() && channel.read(bytes, from + bytes.position()) >= 0) {
-                    continue;
-                }
+            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ, LinkOption.NOFOLLOW_LINKS)) {
                 CRC32C sum = new CRC32C();
-                sum.update(bytes.flip());
-                return bytes.limit() == to - from && sum.getValue() == checksum;
+                ByteBuffer bytes = ByteBuffer.allocate(BLOCK_BYTES);
+                long position = from;
+                while (position < to) {
+                    bytes.clear().limit((int) Math.min(BLOCK_BYTES, to - position));
+                    int count = channel.read(bytes, position);
+                    if (count < 0) {
+                        return false;
+                    }
+                    sum.update(bytes.flip());
+                    position += count;
+                }
+                return sum.getValue() == checksum;
             } catch (NoSuchFileException e) {
                 return false;
             }

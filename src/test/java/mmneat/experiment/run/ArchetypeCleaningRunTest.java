@@ -13,7 +13,7 @@ import mmneat.evolution.EvolutionState;
 import mmneat.evolution.XorTask;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
-import mmneat.experiment.store.CheckpointFile;
+import mmneat.experiment.store.SavedCheckpoint;
 import mmneat.neat.Archetype;
 import mmneat.neat.NodeGene;
 import org.junit.jupiter.api.Test;
@@ -86,10 +86,7 @@ class ArchetypeCleaningRunTest {
     }
 
     private EvolutionState state() throws Exception {
-        return new CheckpointFile(folder.resolve("stopped/MMD0"))
-                .load()
-                .orElseThrow()
-                .evolution();
+        return SavedCheckpoint.newest(folder.resolve("stopped/MMD0")).evolution();
     }
 
     private void run(String base, int generations) throws InterruptedException {

@@ -20,8 +20,8 @@ import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.store.Checkpoint;
-import mmneat.experiment.store.CheckpointFile;
 import mmneat.experiment.store.RunStatus;
+import mmneat.experiment.store.SavedCheckpoint;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.AfterEach;
@@ -112,16 +112,15 @@ class RunEndTest {
     }
 
     @Test
-    void failureOnContinuing_keepsHowFarTheRunHadCome() throws Exception {
+    void runWithoutAWholeCheckpoint_isRefused_andNothingIsTouched() throws Exception {
         run("maxGens=4");
         RunStatus before = status();
         Files.writeString(file("checkpoint.json.gz"), "x");
         Files.writeString(file("checkpoint-previous.json.gz"), "y");
-        assertThat(run("maxGens=6").phase()).isEqualTo(RunMonitor.Phase.FAILED);
-        assertThat(status().state()).isEqualTo(RunStatus.State.FAILED);
-        assertThat(status().generation()).isEqualTo(4);
-        assertThat(status().best()).isEqualTo(before.best());
-        assertThat(status().message()).contains("no whole checkpoint");
+        RunOutcome outcome = run("maxGens=6");
+        assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.REFUSED);
+        assertThat(outcome.message()).contains("no whole checkpoint");
+        assertThat(status()).isEqualTo(before);
     }
 
     @Test
@@ -188,7 +187,7 @@ class RunEndTest {
     }
 
     private Checkpoint checkpoint() throws IOException {
-        return new CheckpointFile(folder.resolve("1M0")).load().orElseThrow();
+        return SavedCheckpoint.newest(folder.resolve("1M0"));
     }
 
     @Test
@@ -215,7 +214,7 @@ class RunEndTest {
         assertThatThrownBy(() -> run("maxGens=2")).isInstanceOf(UserError.class).hasMessage(message);
         Files.delete(file("status.json"));
         RunOutcome withoutStatus = run("maxGens=2");
-        assertThat(withoutStatus.phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        assertThat(withoutStatus.phase()).isEqualTo(RunMonitor.Phase.REFUSED);
         assertThat(withoutStatus.message()).isEqualTo(message);
         assertThat(file("parameters.properties")).hasContent(before);
         assertThat(run("maxGens=3").phase()).isEqualTo(RunMonitor.Phase.FINISHED);

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 class CheckpointFileTest {
 
-    private static final EvolutionState STATE = EvolutionState.initial(new EvolutionSettings(
+    private static final EvolutionSettings SETTINGS = new EvolutionSettings(
             1,
             OptionalInt.empty(),
             2,
@@ -35,7 +35,11 @@ class CheckpointFileTest {
             10,
             new InitialNetworks(2, ModuleLayout.single(1)),
             new ParentSelection(true, 0.5, Crowding.WHOLE_POPULATION),
-            new VariationSettings(MutationRates.PUBLISHED)));
+            new VariationSettings(MutationRates.PUBLISHED));
+
+    private static final EvolutionState STATE = EvolutionState.initial(SETTINGS);
+
+    private static final CheckpointCheck CHECK = new CheckpointCheck(SETTINGS, "x0_");
 
     @TempDir
     Path directory;
@@ -46,11 +50,11 @@ class CheckpointFileTest {
 
     @BeforeEach
     void twoCheckpoints() throws IOException {
-        Files.writeString(directory.resolve("score.txt"), "score");
+        Files.writeString(directory.resolve("x0_score.txt"), "score");
         checkpoint = new CheckpointFile(directory);
         newest = directory.resolve("checkpoint.json.gz");
         previous = directory.resolve("checkpoint-previous.json.gz");
-        assertThat(checkpoint.load()).isEmpty();
+        assertThat(checkpoint.load(CHECK)).isEmpty();
         checkpoint.save(named("first"));
         checkpoint.save(named("second"));
     }
@@ -97,7 +101,7 @@ class CheckpointFileTest {
     void bothDamaged_isAnErrorThatSaysWhatToDo() throws IOException {
         Files.writeString(newest, "x");
         Files.writeString(previous, "y");
-        assertThatThrownBy(checkpoint::load)
+        assertThatThrownBy(() -> checkpoint.load(CHECK))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("no whole checkpoint")
                 .hasMessageContaining("delete " + directory);
@@ -105,13 +109,13 @@ class CheckpointFileTest {
 
     @Test
     void checkpointWithUnforcedFiles_replacesOnlyItsLike_soThatAForcedOneIsAlwaysThere() throws IOException {
-        checkpoint.save(withUnforced("third", "score.txt", "score"));
-        checkpoint.save(withUnforced("fourth", "score.txt", "score"));
+        checkpoint.save(withUnforced("third", "x0_score.txt", "score"));
+        checkpoint.save(withUnforced("fourth", "x0_score.txt", "score"));
         assertThat(loaded()).isEqualTo("fourth");
         Files.delete(newest);
         assertThat(loaded()).isEqualTo("second");
         checkpoint.save(named("fifth"));
-        checkpoint.save(withUnforced("sixth", "score.txt", "score"));
+        checkpoint.save(withUnforced("sixth", "x0_score.txt", "score"));
         assertThat(loaded()).isEqualTo("sixth");
         Files.delete(newest);
         assertThat(loaded()).isEqualTo("fifth");
@@ -119,8 +123,8 @@ class CheckpointFileTest {
 
     @Test
     void unforcedFileThatIsNotAsItWas_thePreviousCheckpointIsUsed() throws IOException {
-        checkpoint.save(withUnforced("third", "score.txt", "score"));
-        Path file = directory.resolve("score.txt");
+        checkpoint.save(withUnforced("third", "x0_score.txt", "score"));
+        Path file = directory.resolve("x0_score.txt");
         for (String damaged : List.of("", "scor", "scare", "\0\0\0\0\0")) {
             Files.writeString(file, damaged);
             assertThat(loaded()).as(damaged).isEqualTo("second");
@@ -134,16 +138,16 @@ class CheckpointFileTest {
 
     /** The name of the log by which the checkpoints are told apart here. */
     private String loaded() throws IOException {
-        return checkpoint.load().orElseThrow().logs().firstKey();
+        return checkpoint.load(CHECK).orElseThrow().logs().firstKey().replaceAll("x0_|_log\\.txt", "");
     }
 
     private static Checkpoint named(String name) {
-        return Checkpoint.of(STATE, Map.of(name, 0L), new TreeMap<>());
+        return Checkpoint.of(STATE, Map.of("x0_" + name + "_log.txt", 0L), new TreeMap<>());
     }
 
     private static Checkpoint withUnforced(String name, String file, String content) {
         UnsyncedFiles unforced = new UnsyncedFiles(Path.of(""));
         unforced.replaced(file, content.getBytes(StandardCharsets.UTF_8));
-        return Checkpoint.of(STATE, Map.of(name, 0L), unforced.stretches());
+        return Checkpoint.of(STATE, Map.of("x0_" + name + "_log.txt", 0L), unforced.stretches());
     }
 }
