@@ -1,6 +1,7 @@
 package mmneat.cli;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,6 +15,7 @@ import mmneat.analysis.results.RunReader;
 import mmneat.analysis.results.RunResult;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunOutcome;
+import mmneat.experiment.store.DurableFiles;
 
 /** The learning curve of an experiment, of any task, as a picture in its folder. */
 final class LearningCurve {
@@ -41,10 +43,10 @@ final class LearningCurve {
                 new Experiment(plan.parameters().text("task"), plan.parameters().text("method"), plan.name(), runs);
         Figure figure = LearningCurveFigure.panels(experiment.version(), List.of(experiment), PublishedResults.read());
         Path svg = plan.base().resolve(plan.name() + "_learning-curve.svg");
-        OutputFile.write(svg, figure.svg());
+        DurableFiles.write(svg, figure.svg().getBytes(StandardCharsets.UTF_8));
         Optional<byte[]> png = figure.png();
         if (png.isPresent()) {
-            OutputFile.write(plan.base().resolve(plan.name() + "_learning-curve.png"), png.get());
+            DurableFiles.write(plan.base().resolve(plan.name() + "_learning-curve.png"), png.get());
         }
         return Optional.of(svg);
     }

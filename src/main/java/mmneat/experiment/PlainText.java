@@ -27,7 +27,9 @@ public final class PlainText {
     /** The text on one line, with a question mark for each character that is neither plain nor a tab. */
     public static String shown(String text) {
         StringBuilder shown = new StringBuilder(text);
-        IntStream.range(0, text.length()).filter(i -> !isPlain(text, i) && text.charAt(i) != '\t').forEach(i -> shown.setCharAt(i, '?'));
+        IntStream.range(0, text.length())
+                .filter(i -> !isPlain(text, i) && text.charAt(i) != '\t')
+                .forEach(i -> shown.setCharAt(i, '?'));
         return shown.toString();
     }
 

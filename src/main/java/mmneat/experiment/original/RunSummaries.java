@@ -70,6 +70,7 @@ public final class RunSummaries {
         writeSpreadPlot("parents_genScores", PARENTS_LOG, quoted(scoreLabels()));
         writeSpreadPlot("TWEANNData_log", NETWORKS_LOG, NetworkProperties.labels(task.inputLabels()));
         writeSpreadPlot("Performance_log", PERFORMANCE_LOG, EvaluationCosts.LABELS);
+        output.flush();
     }
 
     /** Writes for each run the hypervolume and the size of its parents' front in every generation. */
