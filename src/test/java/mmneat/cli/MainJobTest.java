@@ -146,7 +146,7 @@ class MainJobTest extends CommandTest {
     @Test
     void params_listsThem_andDescribesOne() {
         assertThat(execute("params")).isZero();
-        assertThat(out.toString()).contains("mu=50", "crossoverRate=0.5").doesNotContain("tugAlpha");
+        assertThat(out.toString()).contains("mu=50", "crossoverRate=0.5").doesNotContain("logLock");
         assertThat(execute("params", "crossoverRate")).isZero();
         assertThat(out.toString()).contains("allowed   a number from 0.0 to 1.0");
         assertThat(execute("params", "crosoverRate")).isEqualTo(2);

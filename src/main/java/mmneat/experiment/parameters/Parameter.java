@@ -67,9 +67,9 @@ public record Parameter(
             throw badValue(text);
         }
         if (support == Support.NO && !canonical.equals(defaultValue)) {
-            throw new UserError(name + "=" + text + ": the original's parameter '" + name
-                    + "' is not supported; leave it out"
-                    + (defaultValue.isEmpty() ? "" : ", which means " + defaultValue));
+            throw new UserError(name + "=" + text + ": the original's parameter '" + name + "' is not supported; "
+                    + OriginalCounterparts.ofParameter(name, text)
+                            .orElse("leave it out" + (defaultValue.isEmpty() ? "" : ", which means " + defaultValue)));
         }
         if (support == Support.YES && !canonical.equals(defaultValue) && !allowed.permits(type, canonical)) {
             throw badValue(text);
@@ -103,7 +103,9 @@ public record Parameter(
     }
 
     private UserError badValue(String text) {
-        return new UserError(
-                name + "=" + text + ": must be " + allowedInWords() + NearestName.suggestion(text, allowed.choices()));
+        return new UserError(OriginalCounterparts.ofParameter(name, text)
+                .map(counterpart -> name + "=" + text + ": not supported; " + counterpart)
+                .orElse(name + "=" + text + ": must be " + allowedInWords()
+                        + NearestName.suggestion(text, allowed.choices())));
     }
 }

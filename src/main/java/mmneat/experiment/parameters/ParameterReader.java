@@ -106,9 +106,11 @@ public final class ParameterReader {
                             + "=false: in the form with a colon, as in the original, anything but true is false");
                 }
             }
-            if (layer.containsKey(word.name()) && !layer.get(word.name()).equals(value)) {
-                throw new UserError(
-                        "'" + word.name() + "' is given twice, as " + layer.get(word.name()) + " and as " + value);
+            String before = layer.get(word.name());
+            if (before != null && !before.equals(value)) {
+                // As in the original.
+                remarks.add(word.name() + "=" + before + " is overridden by " + word.name() + "=" + value
+                        + ", which comes later");
             }
             layer.put(word.name(), value);
         }

@@ -1,5 +1,6 @@
 package mmneat.experiment.parameters;
 
+import java.util.Optional;
 import mmneat.experiment.UserError;
 
 /**
@@ -19,15 +20,6 @@ import mmneat.experiment.UserError;
  */
 record ParameterWord(String name, String value, boolean originalForm) {
 
-    /** Modes of the original's first argument that are commands or other words here. */
-    private static String replacement(String mode, String value) {
-        return switch (mode) {
-            case "multiple" -> "runs=" + value;
-            case "process", "hv", "lineage" -> "another command; --help lists them";
-            default -> "";
-        };
-    }
-
     static ParameterWord parse(String word) {
         int equalsSign = word.indexOf('=');
         int colon = word.indexOf(':');
@@ -38,9 +30,9 @@ record ParameterWord(String name, String value, boolean originalForm) {
         ParameterWord parsed = originalForm
                 ? original(word)
                 : new ParameterWord(word.substring(0, equalsSign), word.substring(equalsSign + 1), false);
-        String replacement = replacement(parsed.name, parsed.value);
-        if (!replacement.isEmpty()) {
-            throw new UserError("'" + word + "': the original's mode '" + parsed.name + "' is here " + replacement);
+        Optional<String> counterpart = OriginalCounterparts.ofMode(parsed.name, parsed.value);
+        if (counterpart.isPresent()) {
+            throw new UserError("'" + word + "' is a mode of the original; here, " + counterpart.get());
         }
         if (originalForm && parsed.value.isEmpty()) {
             throw new UserError("'" + word + "' has no value; write " + parsed.name + "= for an empty one");

@@ -18,6 +18,8 @@ import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.TrialGame;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import pacman.game.GhostLocations;
 
 class ParameterReaderTest {
@@ -274,9 +276,13 @@ class ParameterReaderTest {
     }
 
     @Test
-    void wordGivenTwice_differently_isAMistake() {
-        assertMistake("'mu' is given twice, as 3 and as 4", "task=blended", "mu=3", "mu=4");
-        assertThat(read("task=blended", "mu=3", "mu:3").integer("mu")).isEqualTo(3);
+    void wordGivenTwice_theLaterOneOverrides_withARemark() {
+        ParameterReader.Result read = reader.read(List.of("task=blended", "mu=3", "trials=2", "mu:4"));
+        assertThat(read.parameters().integer("mu")).isEqualTo(4);
+        assertThat(read.remarks()).containsExactly("mu=3 is overridden by mu=4, which comes later");
+        assertThat(reader.read(List.of("task=blended", "mu=3", "mu:3")).remarks())
+                .isEmpty();
+        assertThat(read("task=isolated", "task=blended").text("task")).isEqualTo("blended");
     }
 
     @Test
@@ -288,8 +294,27 @@ class ParameterReaderTest {
     @Test
     void modesOfTheOriginalsFirstArgument_sayWhatTheyAreHere() {
         assertMistake("runs=30", "multiple:30", "task=blended");
-        assertMistake("another command", "process:30");
+        assertMistake("use the command 'process'", "process:30");
+        assertMistake("use the command 'process'", "hv:30");
+        assertMistake("there is no lineage browser; the file ..._Lineage_log.txt", "lineage:2");
         assertMistake("parameters are written name=value", "blended");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "watch:true, watch FOLDER",
+        "showNetworks:true, watch FOLDER",
+        "evalReport:true, evaluate FOLDER report=true",
+        "recordPacman:true, record=FILE",
+        "pacmanSaveFile:x, record=FILE",
+        "replayPacman:true, replay FILE",
+        "logGhostLocOnPowerPill:true, record-ghosts FOLDER",
+        "experiment:edu.utexas.cs.nn.experiment.BestNetworkExperiment, evaluate FOLDER",
+        "experiment:ObjectiveBestNetworksExperiment, bestObjectives",
+        "experiment:edu.utexas.cs.nn.experiment.LoadAndWatchExperiment, watch FILE"
+    })
+    void wordOfTheOriginal_thatIsACommandHere_namesIt(String word, String command) {
+        assertMistake(command, "task=blended", word);
     }
 
     @Test
