@@ -107,7 +107,8 @@ final class ArgumentSyntax implements IParameterPreprocessor {
         throw new UserError("'" + word + "' is not understood; write name=value" + NearestName.suggestion(word, names));
     }
 
-    private static boolean takesParameters(CommandSpec command) {
+    /** Whether a command takes parameters of an experiment beside its options. */
+    static boolean takesParameters(CommandSpec command) {
         return command.positionalParameters().stream()
                 .anyMatch(parameter -> parameter.paramLabel().equals(PARAMETER));
     }

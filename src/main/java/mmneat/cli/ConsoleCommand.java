@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import mmneat.experiment.UserError;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
@@ -14,6 +15,11 @@ abstract class ConsoleCommand {
 
     @Spec
     private CommandSpec command;
+
+    /** This command's parser. */
+    final CommandLine commandLine() {
+        return command.commandLine();
+    }
 
     /** Writer for results. */
     final PrintWriter out() {

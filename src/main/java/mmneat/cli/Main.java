@@ -42,6 +42,7 @@ import picocli.CommandLine.Spec;
         description = "Modular Multiobjective NEAT for Ms. Pac-Man.",
         subcommands = {
             CompareCommand.class,
+            CompletionCommand.class,
             EvaluateCommand.class,
             ReportCommand.class,
             WatchCommand.class,

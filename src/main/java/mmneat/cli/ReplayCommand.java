@@ -2,6 +2,10 @@ package mmneat.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Locale;
+import mmneat.analysis.replay.RecordedStates;
+import mmneat.analysis.replay.ReplayPage;
+import mmneat.analysis.replay.ReplayTitle;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import pacman.Executor;
@@ -19,9 +23,11 @@ import picocli.CommandLine.Parameters;
         name = "replay",
         customSynopsis = "mmneat replay FILE [name=value...]",
         description = {
-            "Shows a recording that play record=FILE or an executor has written.",
+            "Shows a recorded game in a window, or writes it as a web page.",
+            "A recording is a file that play record=FILE or an executor has written.",
             "",
             "Example: mmneat replay game.txt delay=10",
+            "Example: mmneat replay game.txt out=game.html",
             "",
         })
 final class ReplayCommand extends ConsoleCommand implements Runnable {
@@ -47,6 +53,12 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
             description = "false only checks the recording and prints how the game ended (default: ${DEFAULT-VALUE}).")
     private boolean wantsView;
 
+    @Option(
+            names = "out",
+            paramLabel = "FILE",
+            description = "Writes the game as a web page (.html) instead of showing it; needs no display.")
+    private Path out;
+
     @Mixin
     private GameOptions game;
 
@@ -55,10 +67,15 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
         if (file == null) {
             throw new UserError("the recording is missing; write replay FILE");
         }
-        boolean view = wantsView && Display.isThere();
+        if (out != null && !out.toString().toLowerCase(Locale.ROOT).matches(".*\\.html?")) {
+            throw new UserError("out=" + out + ": must end in .html (a page)");
+        }
+        requireEffect("delay", out == null, "a page has its own speed");
+        boolean view = wantsView && out == null && Display.isThere();
         Recording recording = load(file);
-        if (wantsView && !view) {
-            notes().println("mmneat: there is no display, so the game is not shown");
+        if (wantsView && out == null && !view) {
+            notes().println(
+                            "mmneat: there is no display, so the game is not shown; write it as a page with out=game.html");
         }
         GameRules rules = game.rules(recording.rules());
         try {
@@ -69,6 +86,13 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
                             ? "all " + rules.levels().maximumLevel() + " levels"
                             : "level " + (replayed.getCurrentLevel() + 1))
                     + ", time " + replayed.getTotalTime() + ", lives " + replayed.getPacmanNumberOfLivesRemaining());
+            if (out != null) {
+                ReplayTitle title = new ReplayTitle(
+                        String.valueOf(file.getFileName()),
+                        "recorded game, " + recording.states().size() + " states");
+                OutputFile.write(out, ReplayPage.html(RecordedStates.replay(recording, rules, title)));
+                out().println(out + ": open it in a browser");
+            }
         } catch (IllegalArgumentException e) {
             String hint = game.hasMaze() ? "" : "; a game in a maze of your own needs the same maze=FILE";
             throw new UserError(file + ": " + e.getMessage() + hint, e);

@@ -110,7 +110,13 @@ class PlayCommandTest extends CommandTest {
         assertThat(execute("replay", file.toString(), "view=false")).isZero();
         assertThat(out.toString()).startsWith(steps + " states: score ");
         assertThat(execute("replay", file.toString())).isZero();
-        assertThat(errors.toString()).contains("there is no display");
+        assertThat(errors.toString()).contains("there is no display", "out=game.html");
+        Path page = folder.resolve("game.html");
+        assertThat(execute("replay", file.toString(), "out=" + page)).isZero();
+        assertThat(errors.toString()).isEmpty();
+        assertThat(page).content().startsWith("<!DOCTYPE html>").contains("\"steps\":" + steps);
+        assertMistake("must end in .html", "replay", file.toString(), "out=" + folder.resolve("game.gif"));
+        assertMistake("delay=3 has no effect here", "replay", file.toString(), "out=" + page, "delay=3");
     }
 
     /** Classes of Ms. Pac-Man controllers in package my. */

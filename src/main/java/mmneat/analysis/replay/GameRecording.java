@@ -14,7 +14,6 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
-import pacman.maze.MazeGraph;
 
 /** Records a trial of a network that plays Ms. Pac-Man: one game, or the five games of the isolated version. */
 public final class GameRecording implements EvaluationObserver {
@@ -27,12 +26,13 @@ public final class GameRecording implements EvaluationObserver {
     private final ReplayRecorder recorder;
     private final ReplayStep step;
     private final ShadowNetworks shadow;
-    private MazeGraph maze;
+    private final StateCapture state;
 
     private GameRecording(MsPacManTaskSettings settings, Genotype genotype, int detailEvery) {
         ReplayNetwork network = NetworkPicture.of(genotype, ChampionLabels.of(settings, genotype.layout()));
         recorder = new ReplayRecorder(network, detailEvery);
         step = new ReplayStep(network);
+        state = new StateCapture(recorder, step);
         shadow = new ShadowNetworks(settings, genotype);
     }
 
@@ -99,7 +99,7 @@ public final class GameRecording implements EvaluationObserver {
     @Override
     public void gameOver(TrialGame setting, Game game, GameEnd end, DirectionEvaluator player) {
         if (game.getCurrentLevel() == step.level) {
-            captureState(game);
+            state.capture(game);
         } else {
             finishLevel(game);
         }
@@ -113,7 +113,7 @@ public final class GameRecording implements EvaluationObserver {
     private void finishLevel(Game game) {
         step.score = game.getScore();
         if (step.choice != ReplayStep.NO_MOVE) {
-            int ahead = maze.neighbour(step.pacMan, step.choice);
+            int ahead = state.maze().neighbour(step.pacMan, step.choice);
             step.pacMan = ahead < 0 ? step.pacMan : ahead;
         }
         Arrays.fill(step.pills, false);
@@ -153,53 +153,7 @@ public final class GameRecording implements EvaluationObserver {
     }
 
     private void capture(Game game) {
-        captureState(game);
+        state.capture(game);
         shadow.think(game, step);
-    }
-
-    private void captureState(Game game) {
-        int index = game.getMazeIndex();
-        maze = game.mazeTables().graph();
-        if (!recorder.knowsMaze(index)) {
-            recorder.addMaze(picture(index, maze));
-        }
-        if (step.maze != index || step.pills.length != game.getNumberOfPills()) {
-            step.pills = new boolean[game.getNumberOfPills()];
-            step.powerPills = new boolean[game.getNumberOfPowerPills()];
-        }
-        step.maze = index;
-        step.level = game.getCurrentLevel();
-        step.levelTime = game.getCurrentLevelTime();
-        step.score = game.getScore();
-        step.lives = game.getPacmanNumberOfLivesRemaining();
-        step.pacMan = game.getPacmanCurrentNodeIndex();
-        step.pacManMove = game.getPacmanLastMoveMade().ordinal();
-        for (int i = 0; i < step.pills.length; i++) {
-            step.pills[i] = game.isPillStillAvailable(i);
-        }
-        for (int i = 0; i < step.powerPills.length; i++) {
-            step.powerPills[i] = game.isPowerPillStillAvailable(i);
-        }
-        for (int g = 0; g < GHOSTS.length; g++) {
-            step.ghosts[g] = game.getGhostCurrentNodeIndex(GHOSTS[g]);
-            step.ghostMoves[g] = game.getGhostLastMoveMade(GHOSTS[g]).ordinal();
-            step.edibleTimes[g] = game.getGhostEdibleTime(GHOSTS[g]);
-            step.lairTimes[g] = game.getGhostLairTime(GHOSTS[g]);
-        }
-    }
-
-    private static ReplayMaze picture(int index, MazeGraph maze) {
-        int count = maze.nodeCount();
-        int[] x = new int[count];
-        int[] y = new int[count];
-        int[] right = new int[count];
-        int[] down = new int[count];
-        for (int node = 0; node < count; node++) {
-            x[node] = maze.x(node);
-            y[node] = maze.y(node);
-            right[node] = maze.neighbour(node, MOVE.RIGHT.ordinal());
-            down[node] = maze.neighbour(node, MOVE.DOWN.ordinal());
-        }
-        return new ReplayMaze(index, x, y, right, down, maze.pillNodes(), maze.powerPillNodes(), maze.lair());
     }
 }

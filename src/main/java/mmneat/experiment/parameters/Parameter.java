@@ -1,5 +1,6 @@
 package mmneat.experiment.parameters;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import mmneat.experiment.NearestName;
@@ -95,6 +96,11 @@ public record Parameter(
     /** The values that are allowed, in words. */
     public String allowedInWords() {
         return allowed.describe(type);
+    }
+
+    /** The words of which a value must be one; empty if there is no such list. */
+    public List<String> choices() {
+        return type == ParameterType.BOOLEAN ? List.of("false", "true") : allowed.choices();
     }
 
     /** Whether the original has it too. */
