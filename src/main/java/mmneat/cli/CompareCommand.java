@@ -20,10 +20,11 @@ import picocli.CommandLine.Parameters;
         name = "compare",
         customSynopsis = "mmneat compare EXPERIMENT... [name=value...]",
         description = {
-            "Compares the champions of experiments: Kruskal-Wallis, all pairs Mann-Whitney with Bonferroni's correction,"
-                    + " effect sizes, medians with bootstrap intervals.",
+            "Compares the champions of experiments with statistical tests.",
             "",
-            "EXPERIMENT is a folder of runs (all its methods) or what the folders of an experiment's runs begin with.",
+            "The tests are those of the paper: Kruskal-Wallis over all methods, Mann-Whitney for each "
+                    + "pair with Bonferroni's correction, effect sizes, and medians with bootstrap intervals.",
+            "",
             "Example: mmneat compare results/blended paper=true",
             "Example: mmneat compare results/blended/1M results/blended/2M csv=pairs.csv latex=pairs.tex",
             "",

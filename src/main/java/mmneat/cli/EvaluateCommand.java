@@ -30,11 +30,14 @@ import picocli.CommandLine.Parameters;
         name = "evaluate",
         customSynopsis = "mmneat evaluate EXPERIMENT|FILE... [name=value...]",
         description = {
-            "Lets champions play many games on all cores: average score with its confidence interval, module use by observation,"
-                    + " deaths by maze, and every game in a CSV in the run's folder.",
+            "Plays many games with champions and prints average scores.",
             "",
-            "The result does not depend on the number of threads. An interrupted evaluation goes on when the command is given"
-                    + " again. compare, report and the figures use the evaluations under training rules.",
+            "Prints for each champion the average score with its confidence interval, the use of modules "
+                    + "and the deaths by maze. Every game is written to a CSV file in the run's folder.",
+            "The result does not depend on the number of threads. To continue an interrupted evaluation, "
+                    + "give the same command again. The commands compare and report use the evaluations under "
+                    + "training rules.",
+            "",
             "Example: mmneat evaluate results/blended games=1000",
             "Example: mmneat evaluate results/blended/2M0 rules=FourMaze",
             "Example: mmneat evaluate champion=blended games=100",
@@ -163,7 +166,8 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
         }
         double perSecond = played / (nanoseconds * 1e-9);
         Duration left = Duration.ofMillis((long) (1000 * (all - done) / perSecond));
-        return line + String.format(Locale.ROOT, ", %.1f games/s, about %s left", perSecond, Texts.duration(left));
+        return line
+                + String.format(Locale.ROOT, ", %.1f games/s, about %s left", perSecond, QuantityText.duration(left));
     }
 
     private void print(List<ChampionEvaluator.Entry> entries, List<ChampionEvaluation> evaluations) {

@@ -39,7 +39,15 @@ import picocli.CommandLine.Spec;
         name = "mmneat",
         mixinStandardHelpOptions = true,
         versionProvider = Main.Version.class,
-        description = "Modular Multiobjective NEAT for Ms. Pac-Man.",
+        usageHelpWidth = 100,
+        description = {
+            "Evolves modular neural networks that play Ms. Pac-Man (Modular Multiobjective NEAT).",
+            "",
+            "Without a command, evolves what the parameters say.",
+            "Example: mmneat task=blended runs=30",
+            "",
+        },
+        footer = "Each command has a --help of its own.",
         subcommands = {
             CompareCommand.class,
             CompletionCommand.class,
@@ -66,7 +74,7 @@ public final class Main implements Callable<Integer> {
     @Parameters(
             arity = "0..*",
             paramLabel = ArgumentSyntax.PARAMETER,
-            description = "What to evolve, and how; see params.")
+            description = "Parameters of the experiment; see params.")
     private List<String> words = new ArrayList<>();
 
     public static void main(String[] arguments) {
@@ -77,8 +85,8 @@ public final class Main implements Callable<Integer> {
         if (!Files.isDirectory(Path.of("").toAbsolutePath())) {
             main.getErr()
                     .println(
-                            "mmneat: this folder's name has letters that the locale cannot tell, so that files would be"
-                                    + " written beside it; set LC_ALL=C.UTF-8 or move to another folder");
+                            "mmneat: the name of this folder has letters that the locale cannot represent, so files would be"
+                                    + " written elsewhere; set LC_ALL=C.UTF-8 or use another folder");
             main.getErr().flush();
             System.exit(ExitCode.USAGE);
         }
@@ -168,9 +176,9 @@ public final class Main implements Callable<Integer> {
             throw new ParameterException(line, "unknown option '" + first + "'");
         }
         if (first.indexOf('=') < 0 && first.indexOf(':') < 0) {
-            throw new UserError("'" + first + "' is no command"
+            throw new UserError("'" + first + "' is not a command"
                     + NearestName.suggestion(first, line.getSubcommands().keySet())
-                    + " and no parameter, which are written name=value; --help lists the commands");
+                    + ". Parameters are written name=value. See --help for the list of commands.");
         }
     }
 

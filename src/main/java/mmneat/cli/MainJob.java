@@ -107,14 +107,14 @@ final class MainJob implements Callable<Integer> {
             out.println("To look further:");
             boolean hasChampion = Champion.isIn(best.get());
             if (hasChampion && PublishedTask.version(plan.parameters()).isPresent()) {
-                out.println("  " + ThisProgram.command("watch", best.get().toString()));
+                out.println("  " + ShellCommand.command("watch", best.get().toString()));
             }
             if (hasChampion) {
                 String network = best.get().resolve(RunLayout.CHAMPION).toString();
-                out.println("  " + ThisProgram.command("network", network));
+                out.println("  " + ShellCommand.command("network", network));
             }
-            out.println("  " + ThisProgram.command("status", plan.base().toString()));
-            out.println("  " + ThisProgram.command("compare", plan.base().toString()));
+            out.println("  " + ShellCommand.command("status", plan.base().toString()));
+            out.println("  " + ShellCommand.command("compare", plan.base().toString()));
             out.flush();
         }
     }
@@ -131,7 +131,7 @@ final class MainJob implements Callable<Integer> {
         errors.println();
         errors.println("mmneat: stopped" + (finished ? "" : " while writing")
                 + "; every run is kept up to its last complete generation. To go on, give the same command again:");
-        errors.println("  " + ThisProgram.command(words.toArray(String[]::new)));
+        errors.println("  " + ShellCommand.command(words.toArray(String[]::new)));
         errors.flush();
     }
 

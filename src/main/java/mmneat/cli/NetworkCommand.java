@@ -26,11 +26,14 @@ import picocli.CommandLine.Parameters;
         name = "network",
         customSynopsis = "mmneat network [FILE] [name=value...]",
         description = {
-            "Draws a saved network, or writes it in another form.",
-            "FILE is a network that this program or the original has saved (JSON or XML), or the folder of a run: its"
-                    + " champion. Its inputs are named by the sensors of its run's task.",
-            "Example: mmneat network results/blended/2M0 out=network.svg",
+            "Draws a network, or converts it to another format.",
+            "",
+            "FILE is a network in JSON or XML, saved by this program or by the original, or the folder of "
+                    + "a run: then its champion. The inputs are named after the sensors of the run's task.",
+            "",
+            "Example: mmneat network results/blended/2M0",
             "Example: mmneat network champion=isolated out=network.svg",
+            "Example: mmneat network champion.json format=dot out=- | dot -Tpdf > network.pdf",
             "",
         })
 final class NetworkCommand extends ConsoleCommand implements Runnable {

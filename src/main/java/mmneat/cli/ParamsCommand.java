@@ -11,10 +11,19 @@ import picocli.CommandLine.Parameters;
 /** Lists the parameters, or tells everything about one. */
 @Command(
         name = "params",
-        description = "Lists all parameters with type, default and meaning; with a name, the details of one.")
+        customSynopsis = "mmneat params [NAME|all]",
+        description = {
+            "Lists the parameters of experiments, or describes one.",
+            "",
+            "Example: mmneat params crossoverRate",
+            "",
+        })
 final class ParamsCommand extends ConsoleCommand implements Callable<Integer> {
 
-    @Parameters(arity = "0..1", paramLabel = "NAME", description = "A parameter; 'all' lists the unsupported ones too.")
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "NAME",
+            description = "Name of a parameter; all lists the parameters that are not supported, too.")
     private String name = "";
 
     @Override
@@ -52,7 +61,7 @@ final class ParamsCommand extends ConsoleCommand implements Callable<Integer> {
         if (hidden > 0) {
             out.println("\n" + hidden
                     + " parameters of the original have no effect or are not supported; 'params all' lists"
-                    + " them too. What stands behind the = is the default; the paper's tasks set others, see configs.");
+                    + " them too. The value after = is the default. The paper's tasks set other values; see configs.");
         }
     }
 

@@ -20,10 +20,12 @@ import picocli.CommandLine.Parameters;
         name = "process",
         customSynopsis = "mmneat process NAME=VALUE...",
         description = {
-            "Writes the summaries over runs that the original writes, beside the folders of the runs: hypervolumes, logs"
-                    + " averaged over the runs, and gnuplot scripts for them.",
+            "Writes the original's summaries over the runs of an experiment.",
             "",
-            "The words are those that the runs were made with; runs that have not begun are left out.",
+            "Writes hypervolumes, logs averaged over the runs, and gnuplot scripts for them, beside the "
+                    + "folders of the runs. Give the parameters with which the runs were made. Runs that have not "
+                    + "begun are left out.",
+            "",
             "Example: mmneat process task=blended method=2M runs=30",
             "",
         })

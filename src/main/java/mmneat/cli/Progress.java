@@ -61,8 +61,8 @@ final class Progress {
             portion += isOver(now.phase()) ? 1 : now.portion();
         }
         if (monitors.size() > 1) {
-            lines.add("all runs: " + counts(snapshots) + ", " + Texts.percent(portion / monitors.size()) + ", "
-                    + Texts.rate(stepsPerSecond) + ", " + timeLeft(portion));
+            lines.add("all runs: " + counts(snapshots) + ", " + QuantityText.percent(portion / monitors.size()) + ", "
+                    + QuantityText.rate(stepsPerSecond) + ", " + timeLeft(portion));
         }
         return lines;
     }
@@ -96,8 +96,8 @@ final class Progress {
                 : "best " + Numbers.score(now.best()) + ", median " + Numbers.score(now.median());
         // What may not fit into 80 columns stands last.
         return "run " + number + ": generation " + now.generation() + "/" + now.generations() + ", " + scores + ", "
-                + (now.timeLeft() == null ? "" : Texts.duration(now.timeLeft()) + " left, ")
-                + Texts.rate(now.stepsPerSecond());
+                + (now.timeLeft() == null ? "" : QuantityText.duration(now.timeLeft()) + " left, ")
+                + QuantityText.rate(now.stepsPerSecond());
     }
 
     private String timeLeft(double portion) {
@@ -112,7 +112,8 @@ final class Progress {
         }
         double seconds = (System.nanoTime() - startNanos) * 1e-9;
         return "about "
-                + Texts.duration(Duration.ofMillis((long) (seconds * 1000 * (monitors.size() - portion) / gained)))
+                + QuantityText.duration(
+                        Duration.ofMillis((long) (seconds * 1000 * (monitors.size() - portion) / gained)))
                 + " left";
     }
 

@@ -23,13 +23,13 @@ import picocli.CommandLine.Parameters;
         name = "record-ghosts",
         customSynopsis = "mmneat record-ghosts [FILE] [name=value...]",
         description = {
-            "Lets a champion play until every power pill of every maze has been eaten often enough while all four ghosts were"
-                    + " outside the lair and none was edible, and writes where the ghosts were: one line each, maze, power"
-                    + " pill and four nodes. The isolated task starts its ghost games from them"
-                    + " (mazePowerPillGhostMapping=FILE).",
+            "Records ghost locations for the isolated task.",
             "",
-            "FILE is the folder of a run (its champion) or the file of a network; default: the blended champion that comes"
-                    + " with the program.",
+            "A champion plays until enough of its power pills were eaten in every maze while all four "
+                    + "ghosts were outside the lair and none was edible. Each such moment becomes a line: maze, "
+                    + "power pill and the nodes of the four ghosts. The isolated task starts its ghost games from "
+                    + "these lines (mazePowerPillGhostMapping=FILE).",
+            "",
             "Example: mmneat record-ghosts results/blended/2M0 out=ghost-locations.txt seed=1",
             "",
         })

@@ -36,8 +36,10 @@ import picocli.CommandLine.Parameters;
         name = "report",
         customSynopsis = "mmneat report EXPERIMENT... [name=value...]",
         description = {
-            "Writes one web page about experiments: figures, statistics, champions with their networks and replays, settings."
-                    + " It needs no server and no network.",
+            "Writes a web page about experiments.",
+            "",
+            "The page has figures, statistics, the champions with their networks and replays, and the "
+                    + "settings. It is one file that a browser opens from disk.",
             "",
             "Example: mmneat report results/blended out=blended.html",
             "Example: mmneat report results/blended results/isolated figures=pictures replays=best",

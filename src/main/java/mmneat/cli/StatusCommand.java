@@ -23,9 +23,15 @@ import picocli.CommandLine.Parameters;
 /** How far the runs of experiments are, from their files alone; works while they run, on this machine or elsewhere. */
 @Command(
         name = "status",
+        customSynopsis = "mmneat status [FOLDER]",
         description = {
-            "Shows how far experiments are, from their files alone.",
-            "Exit code: 0 all runs are finished, 4 some are not yet, 5 some have failed."
+            "Shows the progress of experiments, read from their files.",
+            "",
+            "The runs may be at work on this machine or on another.",
+            "Exit code: 0 all runs are finished, 4 some are not finished, 5 some have failed.",
+            "",
+            "Example: mmneat status results/blended",
+            "",
         })
 final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
 
@@ -113,10 +119,11 @@ final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
     private static String running(RunView run, Instant now) {
         StringBuilder details = new StringBuilder();
         if (run.status() != null && run.status().stepsPerSecond() > 0) {
-            details.append(Texts.rate(run.status().stepsPerSecond())).append(", ");
+            details.append(QuantityText.rate(run.status().stepsPerSecond())).append(", ");
         }
-        details.append("heard of ")
-                .append(Texts.duration(Duration.between(run.signOfLife(), now).abs()))
+        details.append("last written ")
+                .append(QuantityText.duration(
+                        Duration.between(run.signOfLife(), now).abs()))
                 .append(" ago");
         if (run.estimatedEnd() != null) {
             details.append(", done about ")

@@ -33,8 +33,10 @@ import picocli.CommandLine.Parameters;
         customSynopsis =
                 "mmneat submit task=TASK[,TASK...] [method=METHOD[,METHOD...]|all] [runs=N] [engine=...] [name=value...]",
         description = {
-            "Hands the unfinished runs of experiments to a scheduler, one job per run. Every other word is a parameter"
-                    + " of the experiments; see params.",
+            "Hands the unfinished runs of experiments to a scheduler.",
+            "",
+            "Each run becomes one job. All words that are not options are parameters of the experiments; "
+                    + "see params. Lists of tasks and methods make several experiments.",
             "",
             "Example: mmneat submit runs=30 task=blended,isolated method=1M,2M engine=slurm time=12:00:00",
             "Example: mmneat submit runs=30 task=blended method=all engine=parallel | parallel -j 16",
@@ -214,7 +216,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
         if (!submitted.isEmpty()) {
             out.println("Follow the jobs with: squeue --job " + String.join(",", submitted));
             out.println("Follow the runs with: "
-                    + ThisProgram.command(
+                    + ShellCommand.command(
                             "status", study.parts().get(0).plan().base().toString()));
         }
         out.flush();

@@ -33,19 +33,24 @@ import picocli.CommandLine.Option;
         name = "tasks",
         customSynopsis = "mmneat tasks [name=value...]",
         description = {
-            "Measures how the versions of the game divide into tasks: how often the task changes per time step (thrashing"
-                    + " rate), how much of the time tasks overlap, and so whether they are isolated, interleaved or blended.",
+            "Measures how the game divides into tasks.",
+            "",
+            "Prints how often the task changes per time step (thrashing rate) and in what share of the "
+                    + "steps tasks overlap, and hence whether the tasks are isolated, interleaved or blended.",
             "",
             "Predicates: " + TasksCommand.PREDICATES,
+            "",
             "Example: mmneat tasks",
-            "Example: mmneat tasks task=blended predicates=AnyGhostEdible players=StarterPacMan,champion.json games=200",
+            "Example: mmneat tasks task=blended predicates=AnyGhostEdible "
+                    + "players=StarterPacMan,champion.json games=200",
             "",
         })
 final class TasksCommand extends ConsoleCommand implements Runnable {
 
     static final String PREDICATES =
             "threats (a ghost outside the lair is not edible), edible (a ghost is edible), pills (pills or"
-                    + " power pills are left), noPills; or a division among modules, whose modules are the tasks.";
+                    + " power pills are left), noPills. A division among modules may be given instead: each module is"
+                    + " then a task.";
 
     private static final int RATE_DECIMALS = 5;
 

@@ -29,10 +29,12 @@ import picocli.CommandLine.Parameters;
         name = "watch",
         customSynopsis = "mmneat watch [FILE] [name=value...]",
         description = {
-            "Lets a network play Ms. Pac-Man and writes the game as a web page: the maze, the module in charge, the senses"
-                    + " and the network at every step. The page needs no server and no network.",
+            "Plays a game with a network and writes it as a web page.",
             "",
-            "FILE is the folder of a run (its champion) or the file of a network, ours or the original's.",
+            "The page shows the maze, the module in charge, the sensors and the network at every step. It "
+                    + "is one file that a browser opens from disk. FILE is the folder of a run (its champion) or "
+                    + "the file of a network, of this program or of the original.",
+            "",
             "Example: mmneat watch champion=blended",
             "Example: mmneat watch results/blended/2M0 out=game.html seed=3",
             "Example: mmneat watch champion=interleaved out=game.gif",

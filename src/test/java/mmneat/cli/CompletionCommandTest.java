@@ -47,7 +47,7 @@ class CompletionCommandTest extends CommandTest {
         assertThat(complete("mmneat play ga", "=")).containsExactly("games=");
         assertThat(complete("mmneat play rules=bl", "=")).containsExactly("blended");
         assertThat(complete("mmneat play rules=bl", " ")).containsExactly("rules=blended");
-        assertThat(complete("mmneat play timed=", "=")).containsExactly("true", "false");
+        assertThat(complete("mmneat play view=", "=")).containsExactly("true", "false");
         assertThat(complete("mmneat submit task=blended engine=s", "=")).containsExactly("slurm");
         assertThat(complete("mmneat submit crossoverR", "=")).containsExactly("crossoverRate=");
     }

@@ -3,10 +3,10 @@ package mmneat.cli;
 import java.time.Duration;
 import java.util.Locale;
 
-/** Numbers and times as people read them. */
-final class Texts {
+/** Percentages, rates and durations as text. */
+final class QuantityText {
 
-    private Texts() {}
+    private QuantityText() {}
 
     static String percent(double portion) {
         return String.format(Locale.ROOT, "%.0f%%", portion * 100);

@@ -5,13 +5,16 @@ import java.util.ArrayList;
 import java.util.List;
 import mmneat.experiment.cluster.ShellWord;
 
-/** How to call this program once more, for messages that tell what to do next: as it was called now. */
-final class ThisProgram {
+/**
+ * Command lines of this program for messages, to be copied into a shell. They begin as the user began: with the script, or with
+ * java.
+ */
+final class ShellCommand {
 
     /** Set by the script that calls the jar, to its own name. */
     private static final String SCRIPT = "mmneat.command";
 
-    private ThisProgram() {}
+    private ShellCommand() {}
 
     /** A command line to be copied into a shell. */
     static String command(String... words) {

@@ -6,30 +6,30 @@ import java.io.File;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-class ThisProgramTest {
+class ShellCommandTest {
 
     @Test
     void calledWithTheJar_theSameJarIsNamed() {
-        assertThat(ThisProgram.line("", "target/mmneat.jar", List.of("status", "results")))
+        assertThat(ShellCommand.line("", "target/mmneat.jar", List.of("status", "results")))
                 .isEqualTo("java -jar target/mmneat.jar status results");
     }
 
     @Test
     void calledByAScript_theScriptIsNamed() {
-        assertThat(ThisProgram.line("scripts/mmneat", "/home/ann/target/mmneat.jar", List.of("status")))
+        assertThat(ShellCommand.line("scripts/mmneat", "/home/ann/target/mmneat.jar", List.of("status")))
                 .isEqualTo("scripts/mmneat status");
     }
 
     @Test
     void calledWithMoreOnTheClassPath_allOfItIsNamed() {
         String classPath = "mmneat.jar" + File.pathSeparator + "my.jar";
-        assertThat(ThisProgram.line("", classPath, List.of("task=blended", "ownSensors=my.NearExit")))
+        assertThat(ShellCommand.line("", classPath, List.of("task=blended", "ownSensors=my.NearExit")))
                 .isEqualTo("java -cp " + classPath + " mmneat.cli.Main task=blended ownSensors=my.NearExit");
     }
 
     @Test
     void blanks_areQuoted() {
-        assertThat(ThisProgram.line("", "my tools/mmneat.jar", List.of("watch", "my results/2M0")))
+        assertThat(ShellCommand.line("", "my tools/mmneat.jar", List.of("watch", "my results/2M0")))
                 .isEqualTo("java -jar 'my tools/mmneat.jar' watch 'my results/2M0'");
     }
 }
