@@ -138,8 +138,8 @@ class MainJobTest extends CommandTest {
     void mistakes_areOneLine_withExitCode2() {
         assertMistake("did you mean 'maxGens'?", "task=blended", "maxGen=3");
         assertMistake("none.txt", "task=isolated", "mazePowerPillGhostMapping=none.txt");
-        assertMistake("'evolve' is no command", "evolve");
-        assertMistake("'evalute' is no command (did you mean 'evaluate'?)", "evalute", "first");
+        assertMistake("'evolve' is not a command", "evolve");
+        assertMistake("'evalute' is not a command (did you mean 'evaluate'?)", "evalute", "first");
         assertMistake("must end in .html", "watch", "champion=blended", "out=game.mp4");
     }
 
