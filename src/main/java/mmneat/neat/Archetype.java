@@ -26,6 +26,9 @@ import java.util.TreeMap;
 public final class Archetype {
 
     private final List<NodeGene> entries;
+    /** The innovations of the entries, for quick questions whether a neuron is known. */
+    private final Set<Long> innovations = new HashSet<>();
+
     /** Innovation of a spliced neuron to the innovation of its shadow. */
     private final NavigableMap<Long, Long> shadows;
 
@@ -33,6 +36,7 @@ public final class Archetype {
 
     private Archetype(Collection<NodeGene> entries, Map<Long, Long> shadows) {
         this.entries = new ArrayList<>(entries);
+        entries.forEach(entry -> innovations.add(entry.innovation()));
         this.shadows = new TreeMap<>(shadows);
         this.outputs = countOutputs();
     }
@@ -78,6 +82,7 @@ public final class Archetype {
     public int insertSpliced(NodeGene neuron, long linkSource, int inputs) {
         int position = Math.min(firstOutput(), Math.max(inputs, indexOf(linkSource) + 1));
         entries.add(position, neuron);
+        innovations.add(neuron.innovation());
         return position;
     }
 
@@ -97,12 +102,13 @@ public final class Archetype {
         entries.add(
                 shadowPosition,
                 new NodeGene(shadowInnovation, neuron.type(), neuron.activation(), neuron.frozen(), true));
+        innovations.add(shadowInnovation);
         shadows.put(neuron.innovation(), shadowInnovation);
     }
 
     /** Takes in an output neuron of a new module, unless another network has gained that output before. */
     void addOutput(NodeGene output) {
-        if (indexOf(output.innovation()) < 0) {
+        if (innovations.add(output.innovation())) {
             entries.add(output);
             outputs++;
         }
@@ -111,11 +117,8 @@ public final class Archetype {
     /** The first neuron of a network that is no entry, by position in the network; -1 if all are. */
     int firstUnknown(Genotype genotype) {
         List<NodeGene> nodes = genotype.nodes();
-        // The search goes on behind the neuron before: one pass, as networks have their neurons in this order.
-        int place = -1;
         for (int i = 0; i < nodes.size(); i++) {
-            place = indexOf(nodes.get(i).innovation(), place + 1);
-            if (place < 0) {
+            if (!innovations.contains(nodes.get(i).innovation())) {
                 return i;
             }
         }
@@ -132,15 +135,13 @@ public final class Archetype {
         }
         Map<Long, Long> neuronOfShadow = new HashMap<>();
         shadows.forEach((neuron, shadow) -> neuronOfShadow.put(shadow, neuron));
-        Set<Long> present = new HashSet<>();
-        entries.forEach(entry -> present.add(entry.innovation()));
         entries.removeIf(entry -> {
             long innovation = entry.innovation();
             Long neuron = neuronOfShadow.get(innovation);
-            if (used.contains(innovation) || (neuron != null && present.contains(neuron))) {
+            if (used.contains(innovation) || (neuron != null && innovations.contains(neuron))) {
                 return false;
             }
-            present.remove(innovation);
+            innovations.remove(innovation);
             shadows.remove(neuron == null ? innovation : neuron);
             return true;
         });
@@ -160,14 +161,7 @@ public final class Archetype {
     }
 
     private int indexOf(long innovation) {
-        return indexOf(innovation, 0);
-    }
-
-    /** Searches from a position to the end, then from the beginning. */
-    private int indexOf(long innovation, int from) {
-        int size = entries.size();
-        for (int k = 0; k < size; k++) {
-            int i = from + k < size ? from + k : from + k - size;
+        for (int i = 0; i < entries.size(); i++) {
             if (entries.get(i).innovation() == innovation) {
                 return i;
             }

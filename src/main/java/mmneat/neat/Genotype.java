@@ -51,6 +51,14 @@ public final class Genotype {
                 true);
     }
 
+    /** A genotype from genes that are known to be valid; they are checked only if assertions are enabled. */
+    static Genotype unchecked(
+            long id, int inputs, ModuleLayout layout, List<NodeGene> nodes, List<LinkGene> links, int[] moduleUsage) {
+        boolean check = false;
+        assert check = true;
+        return new Genotype(id, inputs, layout, List.copyOf(nodes), List.copyOf(links), moduleUsage.clone(), check);
+    }
+
     private Genotype(
             long id,
             int inputs,
