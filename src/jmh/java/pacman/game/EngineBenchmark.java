@@ -9,6 +9,7 @@ import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OperationsPerInvocation;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
@@ -60,9 +61,9 @@ public class EngineBenchmark {
             if (game.gameOver()) {
                 game.restart(seeds.nextLong());
             }
-            scratch.continueAs(game.rnd);
+            game.continueAsCopy(scratch);
             MOVE move = pacMan.decide(game, scratch);
-            scratch.continueAs(game.rnd);
+            game.continueAsCopy(scratch);
             game.advanceGame(move, legacy.decideMoves(game, scratch));
         }
         return game.getScore();
@@ -79,6 +80,30 @@ public class EngineBenchmark {
             game.advanceGame(pacMan.getMove(game.copy(), -1), legacy.getMove(game.copy(), -1));
         }
         return game.getScore();
+    }
+
+    /** A game some way into its first level. */
+    @State(Scope.Thread)
+    public static class CopiedGame {
+        /** Which random numbers its copies draw. */
+        @Param({"ARE_INDEPENDENT", "CONTINUE_THE_GAME"})
+        public GameRules.Copies copies;
+
+        private Game game;
+
+        @Setup
+        public void play() {
+            game = new Game(1, GameRules.competition().withCopies(copies));
+            for (int step = 0; step < 300; step++) {
+                game.advanceGame(MOVE.LEFT, null);
+            }
+        }
+    }
+
+    /** Copies of a game. */
+    @Benchmark
+    public Game copies(CopiedGame copied) {
+        return copied.game.copy();
     }
 
     /** Lengths of paths that do not turn back. */
