@@ -60,6 +60,25 @@ class MsPacManTaskTest {
                 .isEqualTo(first);
     }
 
+    /** Source: docs/specification/mspacman-task.md, section 2. */
+    @Test
+    void deterministicGames_areSeededByTheirTrial_whateverTheGenerator() {
+        MsPacManTaskSettings plain = MsPacManTaskSettings.blended();
+        MsPacManTask task = new MsPacManTask(new MsPacManTaskSettings(
+                plain.version(),
+                2,
+                plain.rules(),
+                plain.sensors(),
+                plain.division(),
+                plain.arbitration(),
+                plain.ghosts(),
+                true));
+        Genotype network = network(30, TWO_MODULES);
+
+        assertThat(task.evaluate(network, new ResumableRandom(6)))
+                .isEqualTo(task.evaluate(network, new ResumableRandom(5)));
+    }
+
     /** Recorded from this program at a time when it passed all of the original's evaluations. */
     @Test
     void evaluation_givesTheRecordedScores() {
