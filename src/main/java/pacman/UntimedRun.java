@@ -107,7 +107,7 @@ final class UntimedRun {
         return controller.getMove(game.copy(), dueTime == DueTime.PER_CONTROLLER ? due(DueTime.PER_CONTROLLER) : due);
     }
 
-    /** The wall clock is read only if somebody is told the time. */
+    /** Reads the wall clock only if a controller gets the time. */
     private long due(DueTime moment) {
         return dueTime == moment && (readOnlyPacMan == null || readOnlyGhosts == null)
                 ? System.currentTimeMillis() + Constants.DELAY

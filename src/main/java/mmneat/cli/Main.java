@@ -194,7 +194,7 @@ public final class Main implements Callable<Integer> {
         return mistake.isPresent() ? ExitCode.USAGE : ExitCode.SOFTWARE;
     }
 
-    /** The one line for what is no failure of ours, files that nobody has named before included. */
+    /** The one-line message of a user's mistake; empty for a failure of the program. */
     private static Optional<String> mistake(Exception failure) {
         if (failure instanceof UserError) {
             return Optional.of(failure.getMessage());

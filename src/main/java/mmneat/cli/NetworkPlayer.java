@@ -31,7 +31,7 @@ final class NetworkPlayer {
         return lower.startsWith(SHIPPED) || lower.endsWith(".json") || lower.endsWith(".xml") || isFolder(name);
     }
 
-    /** A name without a slash may be a class beside whose package somebody stands. */
+    /** A name without a slash may be a class whose package is a folder in the working folder. */
     private static boolean isFolder(String name) {
         Path folder = Path.of(name);
         return Files.isDirectory(folder) && (folder.getNameCount() > 1 || Champion.isIn(folder));

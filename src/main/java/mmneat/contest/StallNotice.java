@@ -6,7 +6,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import pacman.game.Game;
 
-/** Says so when a game does not go on: without a time limit nobody else notices a controller that never answers. */
+/** Reports a game that does not continue: without a time limit nothing else notices a controller that never answers. */
 final class StallNotice implements AutoCloseable {
 
     private static final String ASKING = "pacman.UntimedRun";

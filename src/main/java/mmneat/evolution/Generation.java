@@ -77,6 +77,6 @@ public record Generation(
     private static Individual best(List<Individual> population, ToDoubleFunction<Individual> score) {
         return population.stream()
                 .reduce((best, next) -> score.applyAsDouble(next) >= score.applyAsDouble(best) ? next : best)
-                .orElseThrow(() -> new IllegalArgumentException("nobody to choose the best of"));
+                .orElseThrow(() -> new IllegalArgumentException("no individuals to choose the best of"));
     }
 }

@@ -23,7 +23,7 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
 
     private final long runSeed;
     private final ExecutorService threads;
-    /** One task for each thread; whoever evaluates takes one and puts it back. */
+    /** One task for each thread; an evaluation takes one and puts it back. */
     private final BlockingQueue<Task> idleTasks;
 
     /**

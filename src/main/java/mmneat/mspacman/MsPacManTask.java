@@ -112,7 +112,7 @@ public final class MsPacManTask implements Task {
     }
 
     /**
-     * Scores a genotype while somebody looks on, who has no influence on the result.
+     * Scores a genotype and shows its games to an observer, which has no influence on the result.
      *
      * @param observer may be null
      * @throws IllegalArgumentException if the genotype's inputs or modules do not suit the task

@@ -112,7 +112,7 @@ final class GameState {
 
     /**
      * A lower bound of the path distance from Ms. Pac-Man to the nearest ghost outside the lair. Each move takes at most one
-     * off, so that most steps need not look at distances to know that nobody meets.
+     * off, so that most steps need not look at distances to know that no ghost is met.
      */
     int apart;
 

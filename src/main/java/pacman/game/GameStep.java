@@ -311,7 +311,8 @@ final class GameStep {
             return;
         }
         state.ghostRegret++;
-        // The original draws even at rate 0, from the generator that the evolution uses. Without one nobody could tell.
+        // The original draws even at rate 0, from the generator that the evolution uses. Without that generator the
+        // draw has no effect.
         double rate = state.rules.pills().powerPillPunishmentRate();
         if ((state.shared != null || rate > 0) && state.drawsOfTheRun().nextDouble() < rate) {
             state.gameOver = true;
@@ -342,7 +343,7 @@ final class GameStep {
         return ghosts[LAIR] == 1 || ghosts[LAIR + 1] == 1 || ghosts[LAIR + 2] == 1 || ghosts[LAIR + 3] == 1;
     }
 
-    /** A step in which somebody may leave the lair. */
+    /** A step in which a ghost may leave the lair. */
     private static void leaveLair(GameState state) {
         int[] ghosts = state.ghosts;
         boolean exit = false;

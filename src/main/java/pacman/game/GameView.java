@@ -50,7 +50,7 @@ public final class GameView extends JComponent {
 
     private static final AtomicReference<String> IMAGE_TO_SAVE = new AtomicReference<>();
 
-    /** The views that somebody still holds: without any, debug drawing is dropped. */
+    /** The views that are still referenced: without any, debug drawing is dropped. */
     private static final Map<GameView, Boolean> VIEWS = Collections.synchronizedMap(new WeakHashMap<>());
 
     private static final int PICTURE_WIDTH = Constants.GV_WIDTH * Constants.MAG;

@@ -3,8 +3,8 @@ package pacman.maze;
 import java.util.Arrays;
 
 /**
- * Where a step leads, by pose. A pose is a node together with the move that led there, in one number: what has to be known of
- * somebody to say where going straight on leads. Immutable.
+ * Where a step leads, by pose. A pose is a node together with the move that led there, in one number. It
+ * determines where going straight on leads. Immutable.
  *
  * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none.
  */
@@ -40,7 +40,7 @@ public final class MazePoses {
         choice[of(graph.ghostStart(), 4)] = true;
     }
 
-    /** The pose of somebody who came to a node by a move, or by none. */
+    /** The pose after entering a node by a move, or without one. */
     public static int of(int node, int move) {
         return node << MOVE_BITS | move;
     }

@@ -284,7 +284,7 @@ public final class HeadlessChromium implements AutoCloseable {
                 }
                 return;
             } catch (IOException | UncheckedIOException e) {
-                // A process that nobody knows of any more may still have put a file there, or taken one away.
+                // A process that is no longer known may still have put a file there, or taken one away.
                 if (attempt == DELETION_ATTEMPTS) {
                     throw e;
                 }

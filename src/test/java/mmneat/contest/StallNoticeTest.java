@@ -17,7 +17,7 @@ class StallNoticeTest {
 
     private static final long MILLISECONDS = 20;
 
-    /** What is noted; whoever waits is let go on at the first line. */
+    /** What is noted; the first line releases the waiting test. */
     private static final class Notes extends PrintWriter {
         private final CountDownLatch written = new CountDownLatch(1);
 
@@ -36,7 +36,7 @@ class StallNoticeTest {
         }
     }
 
-    /** Does not answer at time 5 until somebody has noticed. */
+    /** Does not answer at time 5 until the stall is noticed. */
     private static final class Thinker extends Controller<MOVE> {
         private static final int LONG_THOUGHT = 5;
         private final CountDownLatch noticed;

@@ -267,7 +267,7 @@ class EvolutionTest {
                 .hasMessage("parents");
         assertThatThrownBy(() -> Generation.bestIn(List.of(), 0))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("nobody to choose the best of");
+                .hasMessage("no individuals to choose the best of");
     }
 
     private static Recording evolve(EvolutionSettings settings, Task task) {

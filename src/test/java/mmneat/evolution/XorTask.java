@@ -8,7 +8,7 @@ import mmneat.neat.network.NetworkState;
 import mmneat.random.ResumableRandom;
 
 /**
- * A task of somebody's own, as a user would write it: exclusive or, the smallest task that needs a hidden neuron, with noise on
+ * A task as a user would write it: exclusive or, the smallest task that needs a hidden neuron, with noise on
  * the inputs, and few links as a second objective.
  */
 public final class XorTask implements Task {

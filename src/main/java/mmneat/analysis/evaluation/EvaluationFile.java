@@ -20,7 +20,7 @@ import mmneat.experiment.UserError;
  */
 final class EvaluationFile implements AutoCloseable {
 
-    /** The byte that is locked: so far behind all others that anybody may read the file meanwhile, on any system. */
+    /** The byte that is locked: so far behind all others that other processes can read the file meanwhile, on any system. */
     private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
 
     private final Path file;
@@ -51,7 +51,7 @@ final class EvaluationFile implements AutoCloseable {
         } catch (OverlappingFileLockException e) {
             return false;
         } catch (IOException e) {
-            // A file system without locks: whoever works there has to see to it.
+            // A file system without locks: two evaluations at once cannot be prevented there.
             return true;
         }
     }

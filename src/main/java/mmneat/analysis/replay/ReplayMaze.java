@@ -1,7 +1,7 @@
 package mmneat.analysis.replay;
 
 /**
- * A maze as the page draws it. Nodes are numbered from 0; all arrays are given away, nobody changes them.
+ * A maze as the page draws it. Nodes are numbered from 0; the arrays are not copied and must not be changed.
  *
  * @param index which maze of the game, from 0
  * @param x horizontal pixel of each node

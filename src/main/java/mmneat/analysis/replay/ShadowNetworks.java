@@ -11,7 +11,7 @@ import pacman.game.Game;
 
 /**
  * Thinks what the player thinks, with every node of the network, for the picture: the player itself leaves out nodes without
- * effect and activations that nobody reads. Draws from a generator of its own; only which of two exactly equal modules is
+ * effect and activations that are not read. Draws from a generator of its own; only which of two exactly equal modules is
  * chosen could differ, and that is taken from the player.
  *
  * <p>Source of the order of flushing: docs/specification/mspacman-task.md, section 3.1.

@@ -92,7 +92,7 @@ final class RunWorker {
         gate.pass(() -> DurableFiles.makeFolder(run.directory()));
         RunLock lock = RunLock.acquire(run.directory(), RunLock.Timing.USUAL);
         try {
-            // Listed, it is given back by whoever ends the program; that must not have happened before.
+            // A listed lock is released when the program ends; that must not have happened already.
             gate.pass(() -> heldLocks.add(lock));
             return evolveOrFail(lock);
         } finally {
@@ -134,7 +134,7 @@ final class RunWorker {
         return e instanceof IOException file ? failed(fileMessage(file), null) : failed(e.toString(), e);
     }
 
-    /** Whether somebody told the run to end; if that was in the midst of writing, the file's channel says so. */
+    /** Whether the run was interrupted; an interruption during writing shows as an exception of the file's channel. */
     private static boolean isInterruption(Throwable e) {
         return e instanceof CancellationException
                 || e instanceof InterruptedException

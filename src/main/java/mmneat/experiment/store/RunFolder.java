@@ -90,7 +90,7 @@ public final class RunFolder {
     }
 
     /**
-     * Writes a file that follows from the checkpoint alone, replacing it if it exists. Whoever continues the run has to write it
+     * Writes a file that follows from the checkpoint alone, replacing it if it exists. A continued run has to write it
      * again.
      */
     public void writeRemakeable(String name, String content) {

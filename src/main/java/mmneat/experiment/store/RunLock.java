@@ -46,7 +46,7 @@ public final class RunLock implements AutoCloseable {
                 new Timing(Duration.ofSeconds(5), Duration.ofSeconds(60), Duration.ofSeconds(15));
     }
 
-    /** The folder is in use by somebody else. */
+    /** The folder is locked by another process. */
     public static final class HeldException extends Exception {
         private static final long serialVersionUID = 1;
 
@@ -67,7 +67,7 @@ public final class RunLock implements AutoCloseable {
     }
 
     /**
-     * A lock as anybody may see it.
+     * A lock as it can be read from outside.
      *
      * @param holder empty if the file is unreadable: it was just being written, or its writer died
      * @param signOfLife when the file was touched last
@@ -120,7 +120,7 @@ public final class RunLock implements AutoCloseable {
         return new RunLock(file, self, timing);
     }
 
-    /** Who holds the lock of a folder, if anybody does. */
+    /** The holder of a folder's lock; empty if the folder is not locked. */
     static Optional<Sighting> look(Path directory) throws IOException {
         Path file = file(directory);
         SymbolicLinks.refuse(file);
@@ -169,7 +169,7 @@ public final class RunLock implements AutoCloseable {
         return create(file, content -> content.write(json));
     }
 
-    /** What a lock's file says, written by somebody who may fail. */
+    /** Writes the content of a lock's file; may fail. */
     interface Content {
         void writeTo(OutputStream file) throws IOException;
     }
@@ -190,7 +190,7 @@ public final class RunLock implements AutoCloseable {
             content.writeTo(created);
             return true;
         } catch (IOException e) {
-            // On a full disk there is room for the name alone: a lock that nobody holds would keep everybody out.
+            // On a full disk there is room for the name alone: a lock without a holder would lock the run forever.
             try {
                 Files.deleteIfExists(file);
             } catch (IOException second) {

@@ -30,7 +30,7 @@ import mmneat.mspacman.TaskVersion;
  */
 public final class RunParametersFile {
 
-    /** What somebody asks for, but no property of the run. */
+    /** Parameters of the command that are not properties of the run. */
     private static final Set<String> NOT_OF_THE_RUN =
             Set.of("runs", "run", "config", "quiet", "threads", "checkpointEvery");
 

@@ -13,7 +13,7 @@ import java.time.Instant;
 import java.util.Optional;
 
 /**
- * How far a run is, as its file {@code status.json} tells anybody who looks in from outside. Nothing is resumed from it.
+ * The progress of a run, as written to its file {@code status.json} for readers outside. Nothing is resumed from it.
  *
  * @param state what the run was doing when it wrote this
  * @param generation generations that are complete
@@ -52,7 +52,7 @@ public record RunStatus(
         try {
             return Optional.ofNullable(JSON.readValue(Files.readAllBytes(file(directory)), RunStatus.class));
         } catch (NoSuchFileException | JsonProcessingException e) {
-            // Not begun, or a file of somebody else: the run's checkpoint counts, not this.
+            // Not begun, or not a file of ours: the run's checkpoint counts, not this file.
             return Optional.empty();
         }
     }

@@ -9,14 +9,14 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A run as its files show it to anybody who looks in from outside, while it is worked at or not.
+ * The state of a run as its files show it, whether a process works on it or not.
  *
  * @param directory the run's folder
  * @param experiment name of the experiment, for instance {@code blended-2M}
  * @param number number of the run
  * @param state what it is doing
  * @param status how far it is; null if it has not begun
- * @param signOfLife when its holder was heard of last; null if nobody holds it
+ * @param signOfLife when the lock was touched last; null if the run is not locked
  * @param estimatedEnd when it will be done; null if that is not known
  */
 public record RunView(
@@ -33,7 +33,7 @@ public record RunView(
         FINISHED,
         /** A process works at it. */
         RUNNING,
-        /** It was begun and nobody works at it: the same command continues it. */
+        /** It was begun and no process works on it: the same command continues it. */
         INTERRUPTED,
         FAILED,
         /** It was asked for and has not begun. */

@@ -204,8 +204,8 @@ public final class Observation {
 
     /*
      * By distance, where no distance counts as larger than any; ghosts at the same distance in the order of their numbers, those
-     * in the lair last. Five comparisons sort four keys; as minimum and maximum they need no branches, which nobody could
-     * predict.
+     * in the lair last. Five comparisons sort four keys; as minimum and maximum they need no branches, which
+     * the processor could not predict.
      */
     private void order() {
         int a = Math.min(orderKeys[0], orderKeys[1]);

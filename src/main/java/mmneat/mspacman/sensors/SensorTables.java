@@ -35,7 +35,7 @@ final class SensorTables {
      * @param closeness distance below which a power pill is close
      */
     static SensorTables of(MazeTables maze, int lookAhead, double closeness) {
-        // Large, and the same whoever asks: the runs of one program share them through the maze.
+        // Large, and independent of the caller: the runs of one program share them through the maze.
         return maze.derived(
                 new Key(lookAhead, closeness),
                 known -> new SensorTables(known, lookAhead, closeness),

@@ -14,8 +14,8 @@ public final class Network {
 
     /*
      * The original pushes: every node, in the genotype's order, adds its activation times a weight to the pending sums of
-     * its targets. Here every neuron pulls instead. A sum then is one loop over adjacent weights, and a neuron that nobody
-     * reads can wait. The result is the same to the last bit if a neuron's addends keep their order:
+     * its targets. Here every neuron pulls instead. A sum then is one loop over adjacent weights, and a neuron whose
+     * activation is not read can wait. The result is the same to the last bit if a neuron's addends keep their order:
      *
      *   1. recurrent links (source at or behind the target) by source, with the source's activation of the previous step;
      *   2. forward links by source, with the activation of this step.
@@ -24,14 +24,14 @@ public final class Network {
      * this one, so that a recurrent link is a link like any other.
      *
      * Only the order within a sum counts, so neurons can be computed in any order that has a neuron's forward sources before
-     * it, and those that nobody asks for not at all. They are grouped by what they are needed for:
+     * it, and those that are not needed not at all. They are grouped by what they are needed for:
      *
      *   always   what later steps read: sources of recurrent links, and what these depend on;
      *   shared   what more than one module's answer or the choice of the module depends on;
      *   modules  what the answer of one module alone depends on: a module that loses the choice costs nothing.
      *
      * Within a group neurons are ordered by level: their forward sources all lie on lower levels, and those of one level are
-     * independent of each other. Outputs that no link reads come last and are computed only when somebody asks for them
+     * independent of each other. Outputs that no link reads come last and are computed only when they are asked for
      * ("lazy").
      *
      * What is not always needed serves decisions alone: which module has the highest preference, which state the highest

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a task of somebody's own must be before a run begins. */
+/** What a user's task must be before a run begins. */
 class OwnTaskTest {
 
     /** A task of the shape that its parameters say; by default it has one of everything. */

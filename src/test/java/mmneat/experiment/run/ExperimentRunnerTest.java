@@ -35,7 +35,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Whole experiments with a small task of somebody's own. */
+/** Whole experiments with a user's small task. */
 class ExperimentRunnerTest {
 
     @TempDir

@@ -33,7 +33,7 @@ class RunEndTest {
 
     private static final int MU = 3;
 
-    /** What happens in evaluations, by their number in this process, and when somebody asks for a champion's score. */
+    /** What happens in evaluations, by their number in this process, and when a champion's score is asked for. */
     private static volatile Evaluating evaluating;
 
     private static volatile Runnable scoring;

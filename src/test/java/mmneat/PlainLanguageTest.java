@@ -1,0 +1,149 @@
+package mmneat;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Rules of style that a program can check: vague pronouns, long lines and long sentences. CONTRIBUTING.md has the rules.
+ *
+ * <p>The specification is exempt from the length of sentences: a rule with all its conditions may be one sentence.
+ */
+class PlainLanguageTest {
+
+    private static final Path PROJECT = Path.of(System.getProperty("basedir", "."));
+
+    /** Pages that still have to be brought into this form. */
+    private static final Set<String> NOT_YET =
+            Set.of("performance.md", "fidelity.md", "competition.md", "parameters.md");
+
+    private static final int COLUMNS = 120;
+    private static final int WORDS = 40;
+
+    private static final Pattern VAGUE = Pattern.compile("(?i)\\b(?:some|no|any)body\\b|\\bwhoever\\b");
+
+    /** A string or a comment of a Java file; strings are skipped, since they may hold what looks like a comment. */
+    private static final Pattern COMMENT =
+            Pattern.compile("\"(?:\\\\.|[^\"\\\\\\n])*\"|'(?:\\\\.|[^'\\\\\\n])'|(?s:/\\*.*?\\*/)|//[^\\n]*");
+
+    @Test
+    void documents_useNoVaguePronouns() throws IOException {
+        assertThat(findings(documents(), text -> text, VAGUE)).isEmpty();
+    }
+
+    @Test
+    void commentsOfTheProgram_useNoVaguePronouns() throws IOException {
+        assertThat(findings(files("src", ".java"), PlainLanguageTest::comments, VAGUE))
+                .isEmpty();
+    }
+
+    @Test
+    void linesOfProse_haveAtMost120Characters() throws IOException {
+        List<String> tooLong = new ArrayList<>();
+        for (Path file : documents()) {
+            String[] lines = withoutBlocks(Files.readString(file)).split("\n");
+            for (String line : lines) {
+                // Links and code without a blank cannot be broken.
+                if (line.codePointCount(0, line.length()) > COLUMNS
+                        && !line.stripLeading().startsWith("|")
+                        && !line.startsWith("#")
+                        && !line.startsWith("![")
+                        && !line.matches("\\s*\\S+")) {
+                    tooLong.add(PROJECT.relativize(file) + ": " + line.substring(0, 60));
+                }
+            }
+        }
+        assertThat(tooLong).isEmpty();
+    }
+
+    @Test
+    void sentences_haveAtMost40Words() throws IOException {
+        List<String> tooLong = new ArrayList<>();
+        for (Path file : documents()) {
+            if (file.startsWith(PROJECT.resolve("docs/specification").normalize())) {
+                continue;
+            }
+            for (String sentence : sentences(withoutBlocks(Files.readString(file)))) {
+                int words = sentence.strip().split("\\s+").length;
+                if (words > WORDS) {
+                    tooLong.add(PROJECT.relativize(file) + ", " + words + " words: " + sentence.strip());
+                }
+            }
+        }
+        assertThat(tooLong).isEmpty();
+    }
+
+    /** Sentences of paragraphs, items of lists, and cells of tables. */
+    private static List<String> sentences(String markdown) {
+        String separated = markdown.replaceAll("(?m)^#.*$", "\n\n")
+                .replaceAll("(?m)^\\s*(?:[*-]|\\d+\\.) ", "\n\n")
+                .replaceAll("(?m)^\\s*\\|.*\\|\\s*$", "\n\n$0\n\n")
+                .replaceAll("(?m)(?<=[^\\\\])\\|", "\n\n")
+                .replaceAll("`[^`]*`", "code");
+        List<String> sentences = new ArrayList<>();
+        for (String paragraph : separated.split("\n\\s*\n")) {
+            sentences.addAll(List.of(paragraph.split("(?<=[.:;?!])[)\"*]*\\s+")));
+        }
+        return sentences;
+    }
+
+    private static String withoutBlocks(String markdown) {
+        return markdown.replaceAll("(?ms)^```.*?^```", "").replaceAll("(?m)^ {4}.*$", "");
+    }
+
+    private static String comments(String java) {
+        StringBuilder comments = new StringBuilder();
+        Matcher matcher = COMMENT.matcher(java);
+        while (matcher.find()) {
+            if (matcher.group().startsWith("/")) {
+                comments.append(matcher.group()).append('\n');
+            }
+        }
+        return comments.toString();
+    }
+
+    private static List<String> findings(List<Path> files, UnaryOperator<String> extract, Pattern pattern)
+            throws IOException {
+        List<String> findings = new ArrayList<>();
+        for (Path file : files) {
+            // What stands between signs of code is a mention, not a use.
+            String text = extract.apply(Files.readString(file)).replaceAll("`[^`\n]*`", "");
+            Matcher matcher = pattern.matcher(text);
+            while (matcher.find()) {
+                int start = Math.max(0, matcher.start() - 40);
+                findings.add(PROJECT.relativize(file) + ": "
+                        + text.substring(start, Math.min(text.length(), matcher.end() + 20))
+                                .replaceAll("\\s+", " "));
+            }
+        }
+        return findings;
+    }
+
+    private static List<Path> documents() throws IOException {
+        List<Path> documents = new ArrayList<>(files("docs", ".md"));
+        try (Stream<Path> top = Files.list(PROJECT)) {
+            top.filter(file -> file.toString().endsWith(".md")).sorted().forEach(documents::add);
+        }
+        documents.removeIf(file -> file.startsWith(PROJECT.resolve("docs/study").normalize()));
+        documents.removeIf(file -> NOT_YET.contains(file.getFileName().toString()));
+        return documents;
+    }
+
+    private static List<Path> files(String folder, String ending) throws IOException {
+        try (Stream<Path> files = Files.walk(PROJECT.resolve(folder).normalize())) {
+            return files.filter(file -> file.toString().endsWith(ending))
+                    .sorted()
+                    .toList();
+        }
+    }
+}
