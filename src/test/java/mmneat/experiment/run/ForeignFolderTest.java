@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Folders that somebody else made or changed by hand: a run continues from what is whole, or is refused in one line, and no file
+ * Folders that another program made or a user changed: a run continues from what is whole, or is refused in one line, and no file
  * outside of the folder changes.
  */
 class ForeignFolderTest {
