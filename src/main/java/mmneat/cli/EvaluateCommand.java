@@ -97,6 +97,9 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
     @Mixin
     private GhostsOption ghosts;
 
+    @Mixin
+    private JarOption jar;
+
     @Override
     public void run() {
         Rules rules = rulesOption.rules();
@@ -130,16 +133,16 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
     private List<Champion> champions() {
         List<Champion> champions = new ArrayList<>();
         if (choice.isGiven()) {
-            champions.add(choice.read(paths == null ? null : paths.get(0), null));
+            champions.add(jar.allow(choice.read(paths == null ? null : paths.get(0), null)));
             return champions;
         }
         for (Path path : requireExperiments(paths)) {
             if (Files.isRegularFile(path)) {
-                champions.add(Champion.read(path));
+                champions.add(jar.allow(Champion.read(path)));
             } else {
                 ExperimentFinder.find(List.of(path)).stream()
                         .flatMap(experiment -> experiment.runs().stream())
-                        .forEach(run -> champions.add(Champion.read(run.folder())));
+                        .forEach(run -> champions.add(jar.allow(Champion.read(run.folder()))));
             }
         }
         // Who is named twice, as a folder and as a file for example, plays once.

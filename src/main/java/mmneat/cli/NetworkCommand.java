@@ -64,6 +64,9 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
     @Mixin
     private ChampionChoice choice;
 
+    @Mixin
+    private JarOption jar;
+
     @Option(
             names = "task",
             paramLabel = "TASK",
@@ -91,7 +94,7 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
 
     @Override
     public void run() {
-        Champion champion = choice.read(file, null);
+        Champion champion = jar.allow(choice.read(file, null));
         boolean toScreen = out != null && out.equals(STANDARD_OUTPUT);
         String form = format != null ? format : out == null || toScreen ? "svg" : formatOf(out);
         String text = convert(champion.genotype(), form, labels(champion, form));

@@ -55,10 +55,11 @@ final class NetworkPlayer {
      *
      * @param name a run's folder, a file, or {@link #SHIPPED} and a version
      * @param division of a multitask network, if the user says one
+     * @param jar for the classes that the parameters of the network's run name
      * @throws UserError if there is no network, or one that does not play Ms. Pac-Man
      */
-    static Supplier<Controller<MOVE>> read(String name, Optional<String> division, long seed) {
-        Champion champion = champion(name);
+    static Supplier<Controller<MOVE>> read(String name, Optional<String> division, long seed, JarOption jar) {
+        Champion champion = jar.allow(champion(name));
         if (division.isPresent() && !champion.genotype().layout().standardMultitask()) {
             throw new UserError("division=" + division.get() + ": the network of " + name
                     + " chooses its modules itself; only methods MT, MT2 and MT3 have a division");

@@ -166,6 +166,9 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
     @Mixin
     private GameOptions game;
 
+    @Mixin
+    private JarOption jar;
+
     @Override
     public void run() {
         boolean isHuman = NAMES_OF_THE_HUMAN.contains(pacMan);
@@ -225,7 +228,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             return new Contestant<>(HUMAN, "", () -> new HumanController(new KeyBoardInput()));
         }
         if (NetworkPlayer.isNetwork(pacMan)) {
-            return new Contestant<>(pacMan, "", NetworkPlayer.read(pacMan, Optional.ofNullable(division), seed));
+            return new Contestant<>(pacMan, "", NetworkPlayer.read(pacMan, Optional.ofNullable(division), seed, jar));
         }
         return contestant(loader("pacmanClasspath", pacManClassPath).pacMan(pacMan), "pacman", pacMan, pacManClassPath);
     }

@@ -96,9 +96,12 @@ final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
     @Mixin
     private TaskOption task;
 
+    @Mixin
+    private JarOption jar;
+
     @Override
     public void run() {
-        Champion champion = choice.read(file, TaskVersion.BLENDED.label());
+        Champion champion = jar.allow(choice.read(file, TaskVersion.BLENDED.label()));
         OutputFile.require("out", out);
         MsPacManTaskSettings settings = PlayerSettings.of(champion, task.version(), Rules.TRAINING, Optional.empty());
         if (settings.version() == TaskVersion.ISOLATED) {

@@ -87,13 +87,17 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
     @Mixin
     private GhostsOption ghosts;
 
+    @Mixin
+    private JarOption jar;
+
     @Override
     public void run() {
         List<Experiment> experiments = ExperimentFinder.find(requireExperiments(paths));
         boolean published = experiments.stream().anyMatch(ReportCommand::isPublished);
         ExperimentReport report = new ExperimentReport(
                 experiments,
-                ExperimentComparison.ofEachVersion(experiments, ExperimentComparison.Scores.AUTO, published));
+                ExperimentComparison.ofEachVersion(experiments, ExperimentComparison.Scores.AUTO, published),
+                jar.file());
         List<Figure> figures = report.figures();
         if (figuresFolder != null) {
             for (Figure figure : figures) {
@@ -154,7 +158,7 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
      * another task.
      */
     private Optional<String> replay(Experiment experiment, RunResult run) {
-        Champion champion = Champion.read(run.folder());
+        Champion champion = jar.allow(Champion.read(run.folder()));
         return ghosts.findSettings(champion, task, Rules.TRAINING)
                 .map(settings -> replay(champion, settings, experiment, run));
     }

@@ -95,6 +95,9 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
     @Mixin
     private GhostsOption ghosts;
 
+    @Mixin
+    private JarOption jar;
+
     @Option(names = "out", paramLabel = "FILE", description = "Writes a line for each game as CSV.")
     private Path out;
 
@@ -150,7 +153,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
 
     private Supplier<Controller<MOVE>> player(String name) {
         if (NetworkPlayer.isNetwork(name)) {
-            return NetworkPlayer.read(name, Optional.empty(), seed);
+            return NetworkPlayer.read(name, Optional.empty(), seed, jar);
         }
         return new ControllerLoader(List.of()).pacMan(name)::create;
     }

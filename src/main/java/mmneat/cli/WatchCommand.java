@@ -91,9 +91,12 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
     @Mixin
     private GhostsOption ghosts;
 
+    @Mixin
+    private JarOption jar;
+
     @Override
     public void run() {
-        Champion champion = choice.read(file, null);
+        Champion champion = jar.allow(choice.read(file, null));
         Rules rules = rulesOption.rules();
         MsPacManTaskSettings settings = ghosts.settings(champion, task, rules);
         Path out = this.out == null ? Path.of(pageName(champion, settings) + ".html") : this.out;

@@ -22,8 +22,21 @@ import mmneat.neat.io.GenotypeFormatException;
  * @param file where it was read
  * @param runFolder the folder of its run; empty if the file stands alone
  * @param parameters the parameters of its run; empty if the file stands alone
+ * @param jar the jar or folder of classes that the user named for the classes in the run's parameters; empty: those classes are
+ *     not loaded, as a run's folder may come from someone else
  */
-public record Champion(Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters) {
+public record Champion(
+        Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters, Optional<Path> jar) {
+
+    /** A network whose run's own classes may not be loaded. */
+    public Champion(Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters) {
+        this(genotype, file, runFolder, parameters, Optional.empty());
+    }
+
+    /** The same with a jar for the classes that its run's parameters name. */
+    public Champion withJar(Optional<Path> named) {
+        return new Champion(genotype, file, runFolder, parameters, named);
+    }
 
     /** Whether a folder of a run holds its champion. */
     public static boolean isIn(Path folder) {

@@ -31,6 +31,7 @@ final class ChampionTask {
         List<String> words = new ArrayList<>();
         if (isToldByRun(champion, version)) {
             words.add("config=" + champion.parametersFile().get());
+            champion.jar().ifPresent(jar -> words.add("jar=" + jar));
         } else {
             TaskVersion task = version.orElseGet(() -> version(champion));
             words.add("task=" + task.label());
@@ -52,6 +53,13 @@ final class ChampionTask {
     /** Whether the parameters of its run say what the champion's task is. */
     static boolean isToldByRun(Champion champion, Optional<TaskVersion> version) {
         return version.isEmpty() && champion.parametersFile().isPresent();
+    }
+
+    /** Whether the run's parameters name a task class of the user's own; tells without loading it. */
+    static boolean isOfOwnTask(Champion champion, Optional<TaskVersion> version) {
+        return isToldByRun(champion, version)
+                && !champion.parameters().getOrDefault("task", "").isEmpty()
+                && PublishedTask.version(champion.parameters()).isEmpty();
     }
 
     /** The version that a champion was evolved in, or the one that has as many sensors. */

@@ -28,6 +28,9 @@ public final class PlayerSettings {
     /** The same; empty if the champion was evolved for another task than Ms. Pac-Man. */
     public static Optional<MsPacManTaskSettings> find(
             Champion champion, Optional<TaskVersion> version, Rules rules, Optional<Path> ghostLocations) {
+        if (ChampionTask.isOfOwnTask(champion, version)) {
+            return Optional.empty();
+        }
         return ChampionTask.of(champion, version, ghostLocations) instanceof MsPacManTask task
                 ? Optional.of(task.settings()
                         .withRules(rules.from(task.settings().rules()))

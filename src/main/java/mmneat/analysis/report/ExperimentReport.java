@@ -52,14 +52,18 @@ public final class ExperimentReport {
     /** One per version of the task. */
     private final List<ExperimentComparison> comparisons;
 
+    private final Optional<Path> jar;
+
     private final PublishedResults paper = PublishedResults.read();
 
     /**
      * A report.
      *
      * @param comparisons of the experiments of each version
+     * @param jar for the classes that the runs' parameters name; empty: they are not loaded
      */
-    public ExperimentReport(List<Experiment> experiments, List<ExperimentComparison> comparisons) {
+    public ExperimentReport(List<Experiment> experiments, List<ExperimentComparison> comparisons, Optional<Path> jar) {
+        this.jar = jar;
         this.experiments = List.copyOf(experiments);
         this.comparisons = List.copyOf(comparisons);
     }
@@ -133,7 +137,7 @@ public final class ExperimentReport {
         return html.toString();
     }
 
-    private static String champions(Experiment experiment, BiFunction<Experiment, RunResult, String> replays) {
+    private String champions(Experiment experiment, BiFunction<Experiment, RunResult, String> replays) {
         RunResult best = experiment.best();
         StringBuilder html =
                 new StringBuilder("<h3>" + Page.escape(experiment.label()) + "</h3>\n<div class=\"scroll\">"
@@ -162,14 +166,14 @@ public final class ExperimentReport {
                 .toString();
     }
 
-    private static void network(StringBuilder html, RunResult run, String replay) {
+    private void network(StringBuilder html, RunResult run, String replay) {
         if (!Champion.isIn(run.folder())) {
             for (int column = 0; column < 5; column++) {
                 cell(html, "-");
             }
             return;
         }
-        Champion champion = Champion.read(run.folder());
+        Champion champion = Champion.read(run.folder()).withJar(jar);
         Genotype genotype = champion.genotype();
         ChampionLabels labels = ChampionLabels.of(champion, Optional.empty());
         cell(html, String.valueOf(genotype.modules()));

@@ -194,6 +194,9 @@ record GameParameters(
     }
 
     private List<Sensor> sensorsOfOnesOwn() {
+        if (ownSensors.isBlank()) {
+            return List.of();
+        }
         OwnClasses classes = new OwnClasses(jar);
         return Stream.of(ownSensors.split(","))
                 .map(String::strip)

@@ -49,7 +49,8 @@ final class OwnClasses {
     <T> Class<? extends T> find(String parameter, String className, Class<T> type) {
         String asked = parameter + "=" + className;
         try {
-            return Class.forName(className, true, loader).asSubclass(type);
+            // Nothing in the class runs before it is known to be of the type.
+            return Class.forName(className, false, loader).asSubclass(type);
         } catch (ClassNotFoundException e) {
             throw new UserError(
                     asked + ": there is no such class"

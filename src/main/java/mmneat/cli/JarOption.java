@@ -1,0 +1,28 @@
+package mmneat.cli;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import mmneat.analysis.evaluation.Champion;
+import picocli.CommandLine.Option;
+
+/** The option {@code jar=}: the user's permission to load the classes that the folder of a run names. */
+final class JarOption {
+
+    @Option(
+            names = "jar",
+            paramLabel = "FILE",
+            description =
+                    "Jar with the sensors of your own that the run was evolved with (ownSensors=). The folder of a run"
+                            + " never brings code along by itself.")
+    private Path jar;
+
+    /** The champion with this jar for the classes of its run. */
+    Champion allow(Champion champion) {
+        return champion.withJar(file());
+    }
+
+    /** The jar; empty if none is named. */
+    Optional<Path> file() {
+        return Optional.ofNullable(jar);
+    }
+}
