@@ -32,7 +32,7 @@ final class RunRecorder implements EvolutionObserver {
     private final CommitGate gate;
     private final RunMonitor monitor;
     private final GenerationTable table;
-    private final SyncSchedule forcing = new SyncSchedule(System::nanoTime);
+    private final SyncSchedule sync = new SyncSchedule(System::nanoTime);
     private final CheckpointSchedule checkpoints;
     private int completedHere;
 
@@ -114,7 +114,7 @@ final class RunRecorder implements EvolutionObserver {
                     RunLayout.GENERATIONS,
                     (finalParents.number() == 0 ? table.header() : "") + table.row(finalParents));
             folder.flush();
-            folder.forceAll();
+            folder.syncAll();
             // No checkpoint: that of the last generation stays, so that the run can be continued with more generations.
             record(finalParents, finalParents.number(), RunStatus.State.FINISHED);
         });
@@ -123,16 +123,16 @@ final class RunRecorder implements EvolutionObserver {
     private void saveCheckpoint(EvolutionState next, boolean isLast) throws IOException {
         // The last one must be good for continuing with more generations, when later files have replaced some that it
         // knows.
-        boolean syncs = isLast || forcing.isDue(folder.unforced().count());
+        boolean syncs = isLast || sync.isDue(folder.unsynced().count());
         if (syncs) {
             files.writeNewestNetworks(next);
         }
         Map<String, Long> logs = folder.flush();
         if (syncs) {
-            folder.force();
-            forcing.done();
+            folder.sync();
+            sync.done();
         }
-        checkpoint.save(Checkpoint.of(next, logs, folder.unforced().stretches()));
+        checkpoint.save(Checkpoint.of(next, logs, folder.unsynced().stretches()));
     }
 
     private void record(Generation generation, int completed, RunStatus.State state) throws IOException {

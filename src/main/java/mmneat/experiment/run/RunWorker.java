@@ -208,11 +208,11 @@ final class RunWorker {
             files.writeNewestNetworks(last.evolution());
         }
         folder.flush();
-        if (!last.wasForced()) {
-            DurableFiles.force(last.unforced().keySet().stream()
+        if (!last.wasSynced()) {
+            DurableFiles.sync(last.unsynced().keySet().stream()
                     .map(run.directory()::resolve)
                     .toList());
-            checkpoint.save(last.forced());
+            checkpoint.save(last.synced());
         }
         return last.evolution();
     }

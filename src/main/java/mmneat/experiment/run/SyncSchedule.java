@@ -12,7 +12,7 @@ final class SyncSchedule {
     /** About what the failure of a machine may cost. */
     private static final Duration LONGEST = Duration.ofSeconds(30);
 
-    /** Checkpoints tell of every file that was not forced, and should stay small beside a population. */
+    /** Checkpoints tell of every file that was not synced, and should stay small beside a population. */
     private static final int MOST_FILES = 500;
 
     private final LongSupplier nanoTime;
@@ -24,8 +24,8 @@ final class SyncSchedule {
     }
 
     /** Whether it is time, with so many files that may not be on the disk. The first time it always is. */
-    boolean isDue(int unforcedFiles) {
-        return isFirst || unforcedFiles >= MOST_FILES || nanoTime.getAsLong() - lastNanos >= LONGEST.toNanos();
+    boolean isDue(int unsyncedFiles) {
+        return isFirst || unsyncedFiles >= MOST_FILES || nanoTime.getAsLong() - lastNanos >= LONGEST.toNanos();
     }
 
     /** Notes that everything is on the disk. */

@@ -1,5 +1,6 @@
 package mmneat.experiment.store;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import com.fasterxml.jackson.annotation.JsonPropertyOrder;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
@@ -22,7 +23,7 @@ import mmneat.neat.io.GenotypeJson;
  * @param format always {@value #FORMAT}
  * @param version version of the format
  * @param logs length in bytes of every log when the generation was over
- * @param unforced what of the run's files had been written but not forced to the disk; empty: nothing, it all outlives a failure
+ * @param unsynced what of the run's files had been written but not synced to the disk; empty: nothing, it all outlives a failure
  *     of the machine
  * @param evolution population, generator, counters
  */
@@ -31,7 +32,8 @@ public record Checkpoint(
         String format,
         int version,
         SortedMap<String, Long> logs,
-        SortedMap<String, UnsyncedFiles.Stretch> unforced,
+        @JsonProperty("unforced") SortedMap<String, UnsyncedFiles.Stretch> unsynced,
+
         EvolutionState evolution) {
 
     private static final String FORMAT = "mmneat-checkpoint";
@@ -52,22 +54,22 @@ public record Checkpoint(
         }
         Objects.requireNonNull(logs, "logs");
         Objects.requireNonNull(evolution, "evolution");
-        // Earlier programs forced everything and did not say so.
-        unforced = unforced == null ? new TreeMap<>() : unforced;
+        // Earlier programs synced everything and did not say so.
+        unsynced = unsynced == null ? new TreeMap<>() : unsynced;
     }
 
     public static Checkpoint of(
-            EvolutionState evolution, Map<String, Long> logs, SortedMap<String, UnsyncedFiles.Stretch> unforced) {
-        return new Checkpoint(FORMAT, VERSION, new TreeMap<>(logs), unforced, evolution);
+            EvolutionState evolution, Map<String, Long> logs, SortedMap<String, UnsyncedFiles.Stretch> unsynced) {
+        return new Checkpoint(FORMAT, VERSION, new TreeMap<>(logs), unsynced, evolution);
     }
 
     /** Whether all files of the run were on the disk when this was written. */
-    public boolean wasForced() {
-        return unforced.isEmpty();
+    public boolean wasSynced() {
+        return unsynced.isEmpty();
     }
 
-    /** The same, after all files of the run were forced to the disk. */
-    public Checkpoint forced() {
+    /** The same, after all files of the run were synced to the disk. */
+    public Checkpoint synced() {
         return new Checkpoint(format, version, logs, new TreeMap<>(), evolution);
     }
 

@@ -52,14 +52,14 @@ public final class CheckpointCheck {
      */
     void require(Checkpoint checkpoint, Path directory) throws IOException {
         requireNames(checkpoint.logs().keySet(), name -> RunLayout.isLog(prefix, name), directory);
-        requireNames(checkpoint.unforced().keySet(), name -> RunLayout.isWrittenByRun(prefix, name), directory);
+        requireNames(checkpoint.unsynced().keySet(), name -> RunLayout.isWrittenByRun(prefix, name), directory);
         for (Map.Entry<String, Long> log : checkpoint.logs().entrySet()) {
             requireLength(log.getKey(), log.getValue(), directory);
         }
         if (checkpoint.evolution().generation() > 0) {
             requireAllLogs(checkpoint.logs().keySet(), directory);
         }
-        checkpoint.unforced().forEach((name, stretch) -> {
+        checkpoint.unsynced().forEach((name, stretch) -> {
             if (stretch == null || stretch.from() < 0 || stretch.to() < stretch.from()) {
                 throw new IllegalArgumentException("unforced: " + name + " has no stretch of bytes");
             }

@@ -20,7 +20,7 @@ import mmneat.experiment.UserError;
  * <p>The checksum is gzip's own (CRC-32 and length, at the end of the file): a checkpoint that was cut or changed is
  * recognised, and the previous one is used. It is used, too, if the newest one tells of files that are not what they were.
  *
- * <p>A checkpoint that was forced to the disk, together with the files that it tells of, outlives a failure of the machine. At
+ * <p>A checkpoint that was synced to the disk, together with the files that it tells of, outlives a failure of the machine. At
  * any moment at least one of the two is such a one, from the first that is saved on.
  */
 public final class CheckpointFile {
@@ -39,14 +39,14 @@ public final class CheckpointFile {
         previous = directory.resolve(RunLayout.PREVIOUS_CHECKPOINT);
     }
 
-    /** Writes the next checkpoint, and forces it to the disk if the files that it tells of were. */
+    /** Writes the next checkpoint, and syncs it to the disk if the files that it tells of were. */
     public void save(Checkpoint checkpoint) throws IOException {
         byte[] packed = pack(checkpoint.toJson());
         if (newestOutlivesTheMachine) {
             newestOutlivesTheMachine = false;
             DurableFiles.rename(newest, previous);
         }
-        if (checkpoint.wasForced()) {
+        if (checkpoint.wasSynced()) {
             DurableFiles.write(newest, packed);
             newestOutlivesTheMachine = true;
         } else {
@@ -105,8 +105,8 @@ public final class CheckpointFile {
             try {
                 Checkpoint checkpoint = Checkpoint.fromJson(unpack(file, check.maximumBytes()));
                 check.require(checkpoint, directory);
-                if (UnsyncedFiles.areIntact(directory, checkpoint.unforced())) {
-                    newestOutlivesTheMachine = file.equals(newest) && checkpoint.wasForced();
+                if (UnsyncedFiles.areIntact(directory, checkpoint.unsynced())) {
+                    newestOutlivesTheMachine = file.equals(newest) && checkpoint.wasSynced();
                     return Optional.of(checkpoint);
                 }
                 noteDamage(

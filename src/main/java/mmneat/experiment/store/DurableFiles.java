@@ -14,7 +14,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * Writes files whole or not at all: to a temporary name, forced to disk, renamed. A crash or a full disk at any moment
+ * Writes files whole or not at all: to a temporary name, synced to disk, renamed. A crash or a full disk at any moment
  * leaves the old file or the new one. Symbolic links are replaced, never written through.
  */
 public final class DurableFiles {
@@ -28,7 +28,7 @@ public final class DurableFiles {
     public static void makeFolder(Path folder) throws IOException {
         if (!Files.isDirectory(folder)) {
             Files.createDirectories(folder);
-            force(folder.toAbsolutePath().getParent());
+            sync(folder.toAbsolutePath().getParent());
         }
     }
 
@@ -55,7 +55,7 @@ public final class DurableFiles {
 
     /**
      * Replaces a file at once, but leaves it to the operating system when it reaches the disk: the program may die at any
-     * moment, but after a failure of the power the file may be empty unless {@link #force} was called.
+     * moment, but after a failure of the power the file may be empty unless {@link #sync} was called.
      */
     static void replace(Path file, byte[] content) throws IOException {
         makeFolder(file.toAbsolutePath().getParent());
@@ -64,7 +64,7 @@ public final class DurableFiles {
     }
 
     /** Waits until the files are on the disk, under their names. */
-    public static void force(Collection<Path> files) throws IOException {
+    public static void sync(Collection<Path> files) throws IOException {
         Set<Path> folders = new TreeSet<>();
         for (Path file : files) {
             try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS)) {
@@ -73,17 +73,17 @@ public final class DurableFiles {
             folders.add(file.toAbsolutePath().getParent());
         }
         for (Path folder : folders) {
-            force(folder);
+            sync(folder);
         }
     }
 
     /** Gives a file another name, also on the disk. */
     static void rename(Path from, Path to) throws IOException {
         Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        force(to.toAbsolutePath().getParent());
+        sync(to.toAbsolutePath().getParent());
     }
 
-    /** Cuts a file at the length and adds to it; {@link #force} puts it on the disk. */
+    /** Cuts a file at the length and adds to it; {@link #sync} puts it on the disk. */
     static void appendAt(Path file, long length, byte[] content) throws IOException {
         makeFolder(file.toAbsolutePath().getParent());
         try (FileChannel channel = FileChannel.open(
@@ -94,7 +94,7 @@ public final class DurableFiles {
         }
     }
 
-    private static Path writeUnfinished(Path file, byte[] content, boolean isForced) throws IOException {
+    private static Path writeUnfinished(Path file, byte[] content, boolean syncs) throws IOException {
         Path unfinished = file.resolveSibling(file.getFileName() + UNFINISHED);
         try (FileChannel channel = FileChannel.open(
                 unfinished,
@@ -103,7 +103,7 @@ public final class DurableFiles {
                 StandardOpenOption.TRUNCATE_EXISTING,
                 LinkOption.NOFOLLOW_LINKS)) {
             writeFully(channel, content);
-            if (isForced) {
+            if (syncs) {
                 channel.force(true);
             }
         } catch (IOException e) {
@@ -122,7 +122,7 @@ public final class DurableFiles {
     }
 
     /** A rename is on disk when the folder is. Windows does not open folders and writes renames by itself. */
-    private static void force(Path folder) throws IOException {
+    private static void sync(Path folder) throws IOException {
         if (File.separatorChar == '/') {
             try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {
                 channel.force(true);

@@ -24,8 +24,8 @@ import mmneat.experiment.UserError;
  * before the checkpoint that records the lengths of the logs. After a crash the logs are cut back to the lengths in the
  * checkpoint ({@link #cutTo}), and later generations are evolved again.
  *
- * <p>When the operating system puts it all on the disk is its own affair until {@link #force}: waiting for a disk file by file
- * takes longer than many a generation. Until then {@link #unforced} tells by checksums what a failure of the machine may lose.
+ * <p>When the operating system puts it all on the disk is its own affair until {@link #sync}: waiting for a disk file by file
+ * takes longer than many a generation. Until then {@link #unsynced} tells by checksums what a failure of the machine may lose.
  *
  * <p>Names are relative to the folder, with {@code /} between the parts, for example {@code bestPacMan/score.txt}; those of
  * the logs and score files start with {@link #prefix()}. Texts are written in UTF-8.
@@ -44,9 +44,9 @@ public final class RunFolder {
 
     private final Map<String, Long> lengths = new TreeMap<>();
 
-    private final UnsyncedFiles unforced;
+    private final UnsyncedFiles unsynced;
 
-    /** Files that are written again from the checkpoint when a run is continued; forced when it is complete. */
+    /** Files that are written again from the checkpoint when a run is continued; synced when it is complete. */
     private final Set<Path> remakeable = new TreeSet<>();
 
     /**
@@ -56,7 +56,7 @@ public final class RunFolder {
     public RunFolder(Path directory, String prefix) {
         this.directory = directory;
         this.prefix = prefix;
-        unforced = new UnsyncedFiles(directory);
+        unsynced = new UnsyncedFiles(directory);
     }
 
     /** The run's folder. */
@@ -139,7 +139,7 @@ public final class RunFolder {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        unforced.deletedFolder(name);
+        unsynced.deletedFolder(name);
     }
 
     /**
@@ -151,7 +151,7 @@ public final class RunFolder {
         heldFiles.forEach((name, content) -> {
             byte[] bytes = content.get();
             replace(name, bytes);
-            unforced.replaced(name, bytes);
+            unsynced.replaced(name, bytes);
         });
         heldFiles.clear();
         held.forEach((name, text) -> {
@@ -163,7 +163,7 @@ public final class RunFolder {
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
-            unforced.appended(name, length, content);
+            unsynced.appended(name, length, content);
             lengths.put(name, length + content.length);
         });
         held.clear();
@@ -171,24 +171,24 @@ public final class RunFolder {
     }
 
     /** What may not be on the disk yet, besides what can be made again; changes with every call that writes. */
-    public UnsyncedFiles unforced() {
-        return unforced;
+    public UnsyncedFiles unsynced() {
+        return unsynced;
     }
 
     /** Waits until everything is on the disk that cannot be made again from a checkpoint. */
-    public void force() {
+    public void sync() {
         try {
-            unforced.force();
+            unsynced.sync();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
     /** Waits until everything is on the disk. */
-    public void forceAll() {
-        force();
+    public void syncAll() {
+        sync();
         try {
-            DurableFiles.force(remakeable);
+            DurableFiles.sync(remakeable);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -13,7 +13,7 @@ import java.util.TreeMap;
 import java.util.zip.CRC32C;
 
 /**
- * What was written into a run's folder since it was last forced to the disk: if the machine fails, as against the program,
+ * What was written into a run's folder since it was last synced to the disk: if the machine fails, as against the program,
  * the operating system may have lost any of it. Checksums tell whether it is still there.
  */
 public final class UnsyncedFiles {
@@ -103,12 +103,12 @@ public final class UnsyncedFiles {
         files.keySet().removeIf(file -> file.startsWith(name + "/"));
     }
 
-    /** How many files wait for being forced. */
+    /** How many files wait to be synced. */
     public int count() {
         return files.size();
     }
 
-    /** What waits for being forced, by the name of the file. */
+    /** What waits to be synced, by the name of the file. */
     public SortedMap<String, Stretch> stretches() {
         SortedMap<String, Stretch> stretches = new TreeMap<>();
         files.forEach((name, file) -> stretches.put(name, new Stretch(file.from, file.to, file.sum.getValue())));
@@ -116,8 +116,8 @@ public final class UnsyncedFiles {
     }
 
     /** Waits until everything is on the disk. */
-    void force() throws IOException {
-        DurableFiles.force(files.keySet().stream().map(directory::resolve).toList());
+    void sync() throws IOException {
+        DurableFiles.sync(files.keySet().stream().map(directory::resolve).toList());
         files.clear();
     }
 }

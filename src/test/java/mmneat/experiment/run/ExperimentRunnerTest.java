@@ -190,7 +190,7 @@ class ExperimentRunnerTest {
 
         Path stopped = folder.resolve("stopped/MMD0");
         Checkpoint checkpoint = SavedCheckpoint.newest(stopped);
-        List<String> files = new ArrayList<>(checkpoint.unforced().keySet());
+        List<String> files = new ArrayList<>(checkpoint.unsynced().keySet());
         assertThat(files)
                 .contains(
                         "generations.csv",
@@ -204,7 +204,7 @@ class ExperimentRunnerTest {
             copy(stopped, damaged);
             for (String file : files) {
                 // Of a log a failure takes what was added since it was forced.
-                UnsyncedFiles.Stretch stretch = checkpoint.unforced().get(file);
+                UnsyncedFiles.Stretch stretch = checkpoint.unsynced().get(file);
                 int forced = stretch == null ? 0 : (int) stretch.from();
                 byte[] left = losses(Files.readAllBytes(stopped.resolve(file)), forced)
                         .get(loss);
@@ -215,7 +215,7 @@ class ExperimentRunnerTest {
         }
     }
 
-    /** What may be left of a file: nothing, half of what was not forced to the disk, or zeros in place of it. */
+    /** What may be left of a file: nothing, half of what was not synced to the disk, or zeros in place of it. */
     private static List<byte[]> losses(byte[] content, int forced) {
         byte[] zeros = Arrays.copyOf(Arrays.copyOf(content, forced), content.length);
         return List.of(Arrays.copyOf(content, forced), Arrays.copyOf(content, (forced + content.length) / 2), zeros);

@@ -67,7 +67,7 @@ class ForeignFolderTest {
                 edit("length that is null", c -> logs(c).putNull("generations.csv")),
                 edit("length that is a text", c -> logs(c).put("generations.csv", "0")),
                 edit("length beyond the file", c -> logs(c).put("generations.csv", 1L << 40)),
-                edit("unforced of null", c -> unforced(c).putNull("champion.json")),
+                edit("unforced of null", c -> unsynced(c).putNull("champion.json")),
                 edit("unforced from behind", c -> stretch(c, 5, 2)),
                 edit("unforced negative", c -> stretch(c, -5, 2)),
                 edit("unforced of a terabyte", c -> stretch(c, 0, 1L << 40)),
@@ -161,7 +161,7 @@ class ForeignFolderTest {
         change(newest(), edit("log", c -> logs(c).put(name, 0)));
         requireRefused("is no file of this run");
         Files.write(newest(), whole);
-        change(newest(), edit("unforced", c -> unforced(c)
+        change(newest(), edit("unforced", c -> unsynced(c)
                 .putObject(name)
                 .put("from", 0)
                 .put("to", 1)
@@ -350,12 +350,12 @@ class ForeignFolderTest {
         return (ObjectNode) checkpoint.get("logs");
     }
 
-    private static ObjectNode unforced(ObjectNode checkpoint) {
+    private static ObjectNode unsynced(ObjectNode checkpoint) {
         return (ObjectNode) checkpoint.get("unforced");
     }
 
     private static void stretch(ObjectNode checkpoint, long from, long to) {
-        unforced(checkpoint)
+        unsynced(checkpoint)
                 .putObject("champion.json")
                 .put("from", from)
                 .put("to", to)

@@ -177,12 +177,12 @@ class RunEndTest {
         failAfter(3);
         run("maxGens=5");
         assertThat(file("gen3")).doesNotExist();
-        assertThat(checkpoint().wasForced()).isFalse();
+        assertThat(checkpoint().wasSynced()).isFalse();
         failAfter(0);
         run("maxGens=5");
         assertThat(file("gen3").toFile().list()).hasSize(MU);
         assertThat(file("gen1")).doesNotExist();
-        assertThat(checkpoint().wasForced()).isTrue();
+        assertThat(checkpoint().wasSynced()).isTrue();
         assertThat(checkpoint().evolution().generation()).isEqualTo(3);
     }
 

@@ -58,7 +58,7 @@ class RunRecorderTest {
                     begun);
             new Evolution(settings, EvolutionState.initial(settings), new SequentialEvaluator(task), recorder).run();
             assertThat(recorder.status().isFinished(2)).isTrue();
-            assertThat(folder.unforced().count()).isZero();
+            assertThat(folder.unsynced().count()).isZero();
         }
     }
 }

@@ -146,8 +146,8 @@ class CheckpointFileTest {
     }
 
     private static Checkpoint withUnforced(String name, String file, String content) {
-        UnsyncedFiles unforced = new UnsyncedFiles(Path.of(""));
-        unforced.replaced(file, content.getBytes(StandardCharsets.UTF_8));
-        return Checkpoint.of(STATE, Map.of("x0_" + name + "_log.txt", 0L), unforced.stretches());
+        UnsyncedFiles unsynced = new UnsyncedFiles(Path.of(""));
+        unsynced.replaced(file, content.getBytes(StandardCharsets.UTF_8));
+        return Checkpoint.of(STATE, Map.of("x0_" + name + "_log.txt", 0L), unsynced.stretches());
     }
 }

@@ -77,9 +77,9 @@ class RunFolderTest {
         folder.flush();
         folder.writeRemakeable("gen1/b.xml", "x");
         folder.deleteFolder("gen1");
-        assertThat(folder.unforced().stretches()).containsOnlyKeys("gen10/a.xml");
-        folder.forceAll();
-        assertThat(folder.unforced().count()).isZero();
+        assertThat(folder.unsynced().stretches()).containsOnlyKeys("gen10/a.xml");
+        folder.syncAll();
+        assertThat(folder.unsynced().count()).isZero();
     }
 
     @Test
