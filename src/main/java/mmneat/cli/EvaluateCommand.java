@@ -125,7 +125,7 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
             print(entries, evaluations);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            throw new UserError("interrupted; give the same command again to go on", e);
+            throw new UserError("interrupted; to continue, give the same command again", e);
         }
     }
 

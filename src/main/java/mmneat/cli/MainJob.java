@@ -22,7 +22,7 @@ import pacman.game.MachineFonts;
 import picocli.CommandLine.ExitCode;
 
 /**
- * The main job: evolves what the words ask for, shows how it goes, and tells what came out.
+ * The main job: runs the evolutions that the parameters describe, shows their progress and prints their scores.
  *
  * <p>Exit codes: 0 all runs are complete; 1 a run failed; 2 a mistake of the user; 3 a run is in use by another process.
  * When it is interrupted the state is that of the last complete generation, and the code is the system's: 130 after Ctrl-C, 143
@@ -104,7 +104,7 @@ final class MainJob implements Callable<Integer> {
             out.println();
             String png = MachineFonts.areAvailable() ? " (and .png)" : " (no .png: " + MachineFonts.MISSING + ")";
             out.println("Learning curve: " + curve.get() + png);
-            out.println("To look further:");
+            out.println("Next:");
             boolean hasChampion = Champion.isIn(best.get());
             if (hasChampion && PublishedTask.version(plan.parameters()).isPresent()) {
                 out.println("  " + ShellCommand.command("watch", best.get().toString()));
@@ -130,7 +130,7 @@ final class MainJob implements Callable<Integer> {
         }
         errors.println();
         errors.println("mmneat: stopped" + (finished ? "" : " while writing")
-                + "; every run is kept up to its last complete generation. To go on, give the same command again:");
+                + "; every run is saved up to its last complete generation. To continue, give the same command again:");
         errors.println("  " + ShellCommand.command(words.toArray(String[]::new)));
         errors.flush();
     }

@@ -126,7 +126,7 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
         String ending = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         List<String> formats = new Formats();
         if (!formats.contains(ending)) {
-            throw new UserError("out=" + out + ": the ending tells no format; name the file *."
+            throw new UserError("out=" + out + ": the ending is not a format; name the file *."
                     + String.join(", *.", formats) + " or say format=");
         }
         return ending;

@@ -3,15 +3,15 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import mmneat.analysis.statistics.Numbers;
+import mmneat.analysis.statistics.TextTable;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunMonitor.Phase;
 import mmneat.experiment.run.RunOutcome;
 import mmneat.experiment.store.RunLayout;
 
-/** What came out of an experiment: a line for each run, the best first. */
+/** The scores of an experiment's complete runs, best run first. */
 final class ResultTable {
 
     private static final int MOST_LINES = 40;
@@ -32,8 +32,9 @@ final class ResultTable {
         if (!complete.isEmpty()) {
             out.println();
             out.println(plan.name() + ": scores of the final parents");
-            out.printf(Locale.ROOT, "  %5s  %10s  %10s  %s%n", "run", "best", "median", "folder");
-            complete.stream().limit(MOST_LINES).forEach(outcome -> printRun(out, outcome));
+            TextTable table = new TextTable("run", "best", "median", "folder").alignLeft("folder");
+            complete.stream().limit(MOST_LINES).forEach(outcome -> addRun(table, outcome));
+            out.print(table.text());
             if (complete.size() > MOST_LINES) {
                 out.println("  and " + (complete.size() - MOST_LINES) + " more");
             }
@@ -66,13 +67,11 @@ final class ResultTable {
         return outcome.status().best();
     }
 
-    private static void printRun(PrintWriter out, RunOutcome outcome) {
-        out.printf(
-                Locale.ROOT,
-                "  %5d  %10s  %10s  %s%n",
-                outcome.run().number(),
+    private static void addRun(TextTable table, RunOutcome outcome) {
+        table.row(
+                String.valueOf(outcome.run().number()),
                 Numbers.score(outcome.status().best()),
                 Numbers.score(outcome.status().median()),
-                outcome.run().directory());
+                outcome.run().directory().toString());
     }
 }

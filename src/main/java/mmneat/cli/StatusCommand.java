@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import mmneat.analysis.statistics.Numbers;
+import mmneat.analysis.statistics.TextTable;
 import mmneat.experiment.UserError;
 import mmneat.experiment.run.ExperimentView;
 import mmneat.experiment.store.RunStatus;
@@ -69,20 +70,19 @@ final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
 
     private static void print(PrintWriter out, ExperimentView experiment, Instant now) {
         out.println(experiment.name() + " in " + experiment.base() + ": " + summary(experiment));
-        out.printf(
-                Locale.ROOT, "  %5s  %-11s  %10s  %9s  %9s  %s%n", "run", "state", "generation", "best", "median", "");
+        TextTable table =
+                new TextTable("run", "state", "generation", "best", "median", "details").alignLeft("state", "details");
         for (RunView run : experiment.runs()) {
             RunStatus status = run.status();
-            out.printf(
-                    Locale.ROOT,
-                    "  %5d  %-11s  %10s  %9s  %9s  %s%n",
-                    run.number(),
+            table.row(
+                    String.valueOf(run.number()),
                     run.state().name().toLowerCase(Locale.ROOT),
                     status == null ? "" : status.generation() + "/" + status.generations(),
                     status == null || Double.isNaN(status.best()) ? "" : Numbers.score(status.best()),
                     status == null || Double.isNaN(status.median()) ? "" : Numbers.score(status.median()),
                     details(run, now));
         }
+        out.print(table.text());
         out.println();
     }
 
@@ -111,7 +111,7 @@ final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
         return switch (run.state()) {
             case RUNNING -> running(run, now);
             case FAILED -> String.valueOf(run.status().message());
-            case INTERRUPTED -> "continued by the same command";
+            case INTERRUPTED -> "to continue, give the same command again";
             case FINISHED, WAITING -> "";
         };
     }

@@ -1,17 +1,26 @@
 package mmneat.analysis.statistics;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Rows of cells as text in columns, as LaTeX or as CSV. The first column stands left, all others right. */
+/** Rows of cells as text in columns or as LaTeX. The first column is aligned left, all others right unless asked otherwise. */
 public final class TextTable {
 
     private final List<String> header;
     private final List<List<String>> rows = new ArrayList<>();
+    private final Set<String> leftColumns = new HashSet<>();
 
     public TextTable(String... header) {
         this.header = List.of(header);
+    }
+
+    /** Aligns columns left in {@link #text}, besides the first; they are named by their headers. */
+    public TextTable alignLeft(String... columns) {
+        leftColumns.addAll(List.of(columns));
+        return this;
     }
 
     /** Appends a row with one cell per column. */
@@ -47,11 +56,12 @@ public final class TextTable {
         return text.toString();
     }
 
-    private static String line(List<String> cells, int[] widths) {
+    private String line(List<String> cells, int[] widths) {
         StringBuilder line = new StringBuilder();
         for (int c = 0; c < widths.length; c++) {
             String padding = " ".repeat(widths[c] - cells.get(c).length());
-            line.append(c == 0 ? "" : "  ").append(c == 0 ? cells.get(c) + padding : padding + cells.get(c));
+            boolean isLeft = c == 0 || leftColumns.contains(header.get(c));
+            line.append(c == 0 ? "" : "  ").append(isLeft ? cells.get(c) + padding : padding + cells.get(c));
         }
         return line.toString().stripTrailing() + "\n";
     }
