@@ -1,5 +1,6 @@
 package mmneat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -7,6 +8,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A program that ran as a process of its own, as a user would start it.
@@ -25,6 +28,13 @@ public record ProgramRun(int exitCode, String output, String errors) {
         command.add("-Djava.awt.headless=true");
         command.addAll(List.of(arguments));
         return of(folder, command);
+    }
+
+    /** The class path of the tests, for a process in any folder. */
+    public static String classPath() {
+        return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
+                .map(place -> Path.of(place).toAbsolutePath().toString())
+                .collect(Collectors.joining(File.pathSeparator));
     }
 
     /** Runs a command in a folder, in which its output is left, and waits for its end. */

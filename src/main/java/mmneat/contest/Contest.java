@@ -89,6 +89,10 @@ public final class Contest {
 
     private void noteFailure(GameFailure failure) {
         tally.addFailure(failure);
+        if (failure.thrown().isEmpty() && settings.onFailure() == OnFailure.STOP) {
+            // The end of the contest says all of it.
+            return;
+        }
         String what =
                 failure.thrown().isPresent() ? failure.controller() + " threw an exception" : failure.sentence() + ",";
         notes.println("mmneat: " + what + " " + failure.place());

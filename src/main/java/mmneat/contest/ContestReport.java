@@ -74,7 +74,7 @@ public final class ContestReport {
     private static String punctuality(Punctuality side) {
         return String.format(
                 Locale.ROOT,
-                "%d late answers, %d exceptions, %d of %d moves repeated",
+                "late answers %d, exceptions %d, repeated moves %d of %d",
                 side.lateAnswers(),
                 side.exceptions(),
                 side.repeatedMoves(),

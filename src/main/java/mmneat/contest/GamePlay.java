@@ -37,8 +37,12 @@ final class GamePlay {
     record Outcome(
             int score, int steps, boolean isFinished, Optional<GameFailure> failure, Optional<TimedReport> timed) {}
 
+    /** Bytes that are given up when a controller has used all memory, so that the failure can be told. */
+    private static final int RESERVE = 4 << 20;
+
     private final ContestSettings settings;
     private final StallNotice stall;
+    private byte[] reserve = new byte[RESERVE];
     private final Executor executor = new Executor();
 
     GamePlay(ContestSettings settings, StallNotice stall) {
@@ -61,6 +65,9 @@ final class GamePlay {
         } catch (NoAnswer late) {
             String what = "did not answer for " + settings.moveLimit().toSeconds() + " s";
             return failed(game, number, late.controller, what, null);
+        } catch (OutOfMemoryError failure) {
+            reserve = null;
+            return failed(game, number, failure);
         } catch (RuntimeException | Error failure) {
             return failed(game, number, failure);
         } finally {

@@ -9,6 +9,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.TreeSet;
 import mmneat.CompiledClasses;
+import mmneat.ProgramRun;
 import mmneat.analysis.evaluation.ShippedChampions;
 import mmneat.analysis.results.RunFixture;
 import mmneat.neat.ModuleLayout;
@@ -150,8 +151,8 @@ class PlayCommandTest extends CommandTest {
                     .isZero();
             assertThat(out.toString())
                     .contains(timed.equals("fast") ? ", timed, at most 40 ms per step" : ", timed, 40 ms per step")
-                    .containsPattern("Ms. Pac-Man: \\d+ late answers, 0 exceptions, \\d+ of 12 moves repeated")
-                    .containsPattern("ghosts: \\d+ late answers, 0 exceptions, \\d+ of 12 moves repeated");
+                    .containsPattern("Ms. Pac-Man: late answers \\d+, exceptions 0, repeated moves \\d+ of 12")
+                    .containsPattern("ghosts: late answers \\d+, exceptions 0, repeated moves \\d+ of 12");
         }
         assertMistake("timed=slow: must be one of false, true, fast", "play", "timed=slow");
     }
@@ -167,7 +168,7 @@ class PlayCommandTest extends CommandTest {
             assertThat(errors.toString())
                     .contains("my.Throws threw an exception in game 1")
                     .contains("mmneat: my.Throws failed: java.lang.IllegalStateException: never; game 1 of 2 ended");
-            assertThat(out.toString()).contains("1 of 2 games").contains("1 exceptions, 12 of 12 moves repeated");
+            assertThat(out.toString()).contains("1 of 2 games").contains("exceptions 1, repeated moves 12 of 12");
             words[5] = "onFailure=skip";
             assertThat(execute(words)).isEqualTo(2);
             assertThat(errors.toString()).contains("no game was played to its end: my.Throws failed");
@@ -234,9 +235,73 @@ class PlayCommandTest extends CommandTest {
         assertThat(execute("play", "classpath=" + classes, "pacman=Ponders", "games=3", "moveLimit=1"))
                 .isEqualTo(2);
         assertThat(out.toString()).contains("1 of 3 games");
-        assertThat(errors.toString()).contains("my.Ponders failed: did not answer for 1 s");
+        assertThat(errors.toString().lines())
+                .containsExactly("mmneat: my.Ponders failed: did not answer for 1 s; game 2 of 3 ended the contest;"
+                        + " onFailure=skip or onFailure=score0 plays on");
         assertMistake("moveLimit=1 has no effect here", "play", "timed=fast", "moveLimit=1");
         assertMistake("moveLimit=0: must be a whole number, at least 1", "play", "moveLimit=0");
+    }
+
+    @Test
+    void constructorThatThrows_isOneLine_andLosesNoFinishedGame() throws IOException {
+        Path classes = CompiledClasses.compile(
+                folder,
+                System.getProperty("java.class.path"),
+                "package my; public class Second extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " private static int games;"
+                        + " public Second() { if (++games == 2) { throw new IllegalStateException(\"full\"); } }"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) {"
+                        + " return pacman.game.Constants.MOVE.LEFT; } }");
+        assertThat(execute("play", "classpath=" + classes, "pacman=Second", "games=4"))
+                .isEqualTo(2);
+        assertThat(out.toString()).contains("1 of 4 games");
+        assertThat(errors.toString().lines()).hasSize(1);
+        assertThat(errors.toString())
+                .contains("the constructor of my.Second threw java.lang.IllegalStateException: full; game 2 of 4");
+    }
+
+    /** Fills the heap with small objects that its class keeps, in a process with little memory. */
+    @Test
+    void entryThatKeepsAllMemory_losesNoFinishedGame() throws IOException, InterruptedException {
+        Path classes = compiled(
+                "Keeps",
+                "java.util.List<Object> all = KEPT; while (games == 2) { all.add(new Object()); }"
+                        + " return pacman.game.Constants.MOVE.LEFT; }"
+                        + " private static final java.util.List<Object> KEPT = new java.util.LinkedList<>(); {");
+        ProgramRun run = ProgramRun.java(
+                folder,
+                "-Xmx160m",
+                "-XX:+UseSerialGC",
+                "-cp",
+                ProgramRun.classPath(),
+                "mmneat.cli.Main",
+                "play",
+                "classpath=" + classes,
+                "pacman=Keeps",
+                "games=3");
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.output()).startsWith("my.Keeps against Legacy, 1 of 3 games");
+        assertThat(run.errors()).contains("java.lang.OutOfMemoryError").contains("game 2 of 3 ended the contest");
+    }
+
+    @Test
+    void memberThatTheCompetitionNeverHad_isNamedWhenItIsMissed() throws IOException {
+        Path later = CompiledClasses.compile(
+                folder.resolve("api"),
+                System.getProperty("java.class.path"),
+                "package pacman.game; public class Game { public int getShield() { return 1; } }",
+                "package pacman.controllers; public abstract class Controller<T> {"
+                        + " public abstract T getMove(pacman.game.Game game, long due); }");
+        Path classes = CompiledClasses.compile(
+                folder.resolve("entry"),
+                later + java.io.File.pathSeparator + System.getProperty("java.class.path"),
+                "package my; public class Later extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) {"
+                        + " return pacman.game.Constants.MOVE.values()[game.getShield()]; } }");
+        assertThat(execute("play", "classpath=" + classes, "pacman=Later")).isEqualTo(2);
+        assertThat(errors.toString())
+                .contains("getShield")
+                .contains("release 6.2 of the competition never had this member");
     }
 
     @Test

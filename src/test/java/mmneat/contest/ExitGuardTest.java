@@ -2,11 +2,8 @@ package mmneat.contest;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import mmneat.CompiledClasses;
 import mmneat.ProgramRun;
 import org.junit.jupiter.api.Test;
@@ -17,12 +14,6 @@ class ExitGuardTest {
 
     @TempDir
     private Path folder;
-
-    private static String absoluteClassPath() {
-        return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-                .map(place -> Path.of(place).toAbsolutePath().toString())
-                .collect(Collectors.joining(File.pathSeparator));
-    }
 
     @Test
     void endByReflection_isNoSuccess_andTheFinishedGamesAreReported() throws IOException, InterruptedException {
@@ -38,7 +29,7 @@ class ExitGuardTest {
         ProgramRun run = ProgramRun.java(
                 folder,
                 "-cp",
-                absoluteClassPath(),
+                ProgramRun.classPath(),
                 "mmneat.cli.Main",
                 "play",
                 "classpath=" + classes,
