@@ -1,8 +1,8 @@
 package pacman.maze;
 
 /**
- * The junctions beyond the next one: where the moves at the next junction lead, the paths to there, and which of the moves lead
- * back to where Ms. Pac-Man is.
+ * The junctions beyond the next one: which moves at the next junction lead to one, what lies on the paths to there, and
+ * when someone else arrives.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4.10.
  */
@@ -10,76 +10,170 @@ public final class OnwardJunctions {
 
     /*
      * From the next junction on everything depends only on the row, that is, on this junction and the move that enters it.
-     * Per row and onward move there are the junction that is reached next, and the path there from the row's junction: its
-     * length and the set of its nodes, as bits. Which moves lead back depends on Ms. Pac-Man's node: four bits for each direction
-     * of leaving it.
+     * A row has four lanes, one per move at its junction: the lane's target is the junction that the move leads to. The move
+     * that leads back is none to go on by; its lane stands for the row's own junction instead. So one long holds what is to be
+     * known of all targets, 16 bits each, and one addition and one mask compare all of them (flags, at the top of each lane):
+     *
+     *   arrivals   who needs how long: for a row of Ms. Pac-Man's and one of a ghost's, the ghost's steps less hers;
+     *   lengths    her steps from the row's junction to the target;
+     *   onPaths    for a row and a node: the lanes whose path passes the node, and those whose target it is;
+     *   within     for both rows: the lanes where the ghost's path to the target lies on hers.
      */
 
+    /** The top bit of each lane. */
+    private static final long FLAGS = 0x8000_8000_8000_8000L;
+
+    /** 1 in each lane. */
+    private static final long ONES = 0x0001_0001_0001_0001L;
+
+    /** Flags of lanes that are given as four bits. */
+    private static final long[] FLAGS_OF_BITS = new long[16];
+
+    private static final int LANE_BITS = 16;
+    private static final int FLAG = 0x8000;
+
+    /** In a lane without target: steps that nobody needs. */
+    private static final int NEVER = 0x3FFF;
+
+    /** Numbers to compare with, as far as they are told apart. */
+    private static final int MOST = 0x3000;
+
+    static {
+        for (int bits = 0; bits < 16; bits++) {
+            for (int lane = 0; lane < 4; lane++) {
+                FLAGS_OF_BITS[bits] |= (bits >> lane & 1L) * FLAG << LANE_BITS * lane;
+            }
+        }
+    }
+
     private final MazeGraph graph;
+    private final Routes routes;
+    private final PathTables paths;
+    private final int rows;
 
-    /** Longs in a set of nodes. */
-    private final int words;
-
-    /** Junction reached by move m at row r's junction, at index 4 r + m, or NONE. */
-    private final int[] junctions;
+    /** Target of lane m of row r, at index 4 r + m, or -1. */
+    private final int[] targets;
 
     /** Steps of the path from row r's junction to there, at index 4 r + m. */
-    private final int[] lengths;
+    private final int[] steps;
 
     /** Steps of the longest of a row's paths. */
     private final int[] longest;
 
-    /** Nodes of that path, {@link #words} longs from index words (4 r + m). */
-    private final long[] nodes;
+    /** Per lane, {@link #FLAG} plus the steps. */
+    private final long[] lengths;
+
+    /** Per lane, {@link #FLAG} plus her steps less a ghost's, at index rows r + ghost's row. */
+    private final long[] arrivals;
+
+    /** The same for the ghosts' way from where they leave the lair. */
+    private final long[] arrivalsFromLair;
+
+    /** Bits of lanes, at index rows r + ghost's row. */
+    private final byte[] within;
+
+    /** Bits of lanes whose path passes node v, and from bit 4 on of those whose target it is, at index nodes r + v. */
+    private final byte[] onPaths;
 
     /** Moves, as bits, that lead on from the next junction and not back, for node v and direction d at index 4 v + d. */
     private final byte[] moves;
 
-    public OnwardJunctions(MazeGraph graph, Routes routes, PathTables paths) {
-        this.graph = graph;
-        words = (graph.nodeCount() + 63) / 64;
-        int rows = routes.rowCount();
-        junctions = new int[4 * rows];
-        lengths = new int[4 * rows];
+    /** The onward paths of a maze. */
+    public OnwardJunctions(MazeTables maze, Routes routes, PathTables paths) {
+        this.graph = maze.graph();
+        this.routes = routes;
+        this.paths = paths;
+        rows = routes.rowCount();
+        targets = new int[4 * rows];
+        steps = new int[4 * rows];
         longest = new int[rows];
-        nodes = new long[4 * rows * words];
+        lengths = new long[rows];
+        arrivals = new long[rows * rows];
+        arrivalsFromLair = new long[rows];
+        within = new byte[rows * rows];
+        onPaths = new byte[rows * graph.nodeCount()];
         moves = new byte[4 * graph.nodeCount()];
         int[] path = new int[PathTables.LONGEST * graph.nodeCount()];
         for (int row = 0; row < rows; row++) {
-            for (int m = 0; m < 4; m++) {
-                fillOnward(routes, paths, row, m, path);
+            // Every path passes the row's own junction.
+            onPaths[row * graph.nodeCount() + routes.junctionOfRow(row)] = 0xF;
+            for (int lane = 0; lane < 4; lane++) {
+                findPath(row, lane, path);
+            }
+            for (int lane = 0; lane < 4; lane++) {
+                fillLane(maze, row, lane, path);
             }
         }
         for (int v = 0; v < graph.lair(); v++) {
             for (int d = 0; d < 4; d++) {
                 if (graph.isOpen(v, d)) {
-                    moves[4 * v + d] = (byte) movesOn(routes, v, d);
+                    moves[4 * v + d] = (byte) movesOn(v, d);
                 }
             }
         }
     }
 
-    private void fillOnward(Routes routes, PathTables paths, int row, int move, int[] path) {
+    private void findPath(int row, int lane, int[] path) {
         int from = routes.junctionOfRow(row);
-        int index = 4 * row + move;
-        junctions[index] = CorridorPositions.NONE;
-        if (graph.isOpen(from, move)) {
-            junctions[index] = routes.junction(routes.leaving(from, move));
-            lengths[index] = paths.rowPath(row, junctions[index], path, 0);
-            longest[row] = Math.max(longest[row], lengths[index]);
-            for (int i = 0; i < lengths[index]; i++) {
-                nodes[index * words + (path[i] >> 6)] |= 1L << path[i];
+        int index = 4 * row + lane;
+        if (lane == ownLane(row)) {
+            targets[index] = from;
+        } else if (graph.isOpen(from, lane)) {
+            targets[index] = routes.junction(routes.leaving(from, lane));
+            steps[index] = paths.rowPath(row, targets[index], path, 0);
+            longest[row] = Math.max(longest[row], steps[index]);
+            for (int i = 0; i < steps[index]; i++) {
+                onPaths[row * graph.nodeCount() + path[i]] |= (byte) (1 << lane);
+            }
+        } else {
+            targets[index] = CorridorPositions.NONE;
+            return;
+        }
+        onPaths[row * graph.nodeCount() + targets[index]] |= (byte) (0x10 << lane);
+    }
+
+    private void fillLane(MazeTables maze, int row, int lane, int[] path) {
+        int index = 4 * row + lane;
+        int target = targets[index];
+        boolean exists = target != CorridorPositions.NONE;
+        int shift = LANE_BITS * lane;
+        lengths[row] |= (long) (FLAG + steps[index]) << shift;
+        int fromLair = exists ? maze.distances().between(graph.ghostStart(), target) : NEVER;
+        arrivalsFromLair[row] |= (long) (FLAG + steps[index] - fromLair) << shift;
+        for (int other = 0; other < rows; other++) {
+            int needed = exists ? paths.rowLength(other, target) : NEVER;
+            arrivals[row * rows + other] |= (long) (FLAG + steps[index] - needed) << shift;
+            if (exists && isWithin(row, lane, other, path)) {
+                within[row * rows + other] |= (byte) (1 << lane);
             }
         }
     }
 
-    private int movesOn(Routes routes, int node, int direction) {
+    /** Whether another row's junction and its path to the lane's target lie on the path to there. */
+    private boolean isWithin(int row, int lane, int other, int[] path) {
+        if (!isOnward(row, lane, routes.junctionOfRow(other))) {
+            return false;
+        }
+        int length = paths.rowPath(other, targets[4 * row + lane], path, 0);
+        for (int i = 0; i < length; i++) {
+            if (!isOnward(row, lane, path[i])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean isOnward(int row, int lane, int node) {
+        return (onPaths[row * graph.nodeCount() + node] >> lane & 1) != 0;
+    }
+
+    private int movesOn(int node, int direction) {
         int next = routes.junction(routes.leaving(node, direction));
         int bits = 0;
         for (int m = 0; m < 4; m++) {
             if (graph.isOpen(next, m)) {
                 long route = routes.leaving(next, m);
-                // The route back is excluded because she is on it or at its end.
+                // The way back is excluded because she is on it or at its end.
                 if (routes.junction(route) != node && routes.ahead(route, node) < 0) {
                     bits |= 1 << m;
                 }
@@ -88,24 +182,28 @@ public final class OnwardJunctions {
         return bits;
     }
 
+    private int ownLane(int row) {
+        return CorridorPositions.opposite(routes.arrivalOfRow(row));
+    }
+
     /** Moves, as bits, that lead on from the next junction in a direction. */
     public int moves(int node, int direction) {
         return moves[4 * node + direction];
     }
 
-    /** Number of the path by an onward move of a row. */
-    public static int path(int row, int move) {
-        return 4 * row + move;
+    /** Bit of the lane that stands for the row's own junction. */
+    public int ownBit(int row) {
+        return 1 << ownLane(row);
     }
 
-    /** Junction at the end of an onward path. */
-    public int end(int path) {
-        return junctions[path];
+    /** Junction that a lane stands for. */
+    public int target(int row, int lane) {
+        return targets[4 * row + lane];
     }
 
-    /** Steps of an onward path. */
-    public int length(int path) {
-        return lengths[path];
+    /** Steps from the row's junction to a lane's. */
+    public int length(int row, int lane) {
+        return steps[4 * row + lane];
     }
 
     /** Steps of the longest onward path of a row. */
@@ -113,8 +211,42 @@ public final class OnwardJunctions {
         return longest[row];
     }
 
-    /** Whether a node lies on an onward path, its end included. */
-    public boolean passes(int path, int node) {
-        return (nodes[path * words + (node >> 6)] >>> node & 1) != 0;
+    /** Bits of the lanes whose path from the row's junction on passes a node; all for that junction itself. */
+    public int passing(int row, int node) {
+        return onPaths[row * graph.nodeCount() + node] & 0xF;
+    }
+
+    /** Bits of the lanes that stand for a node. */
+    public int endingAt(int row, int node) {
+        return onPaths[row * graph.nodeCount() + node] >> 4 & 0xF;
+    }
+
+    /** Bits of the lanes where a path that enters another row's junction stays on the onward path up to the target. */
+    public int within(int row, int other) {
+        return within[row * rows + other];
+    }
+
+    /** Flags of the lanes that are given as bits. */
+    public static long flags(int bits) {
+        return FLAGS_OF_BITS[bits];
+    }
+
+    /**
+     * Flags of the lanes whose target is reached from another row's junction in at most so many steps more than from the row's.
+     *
+     * @param more may be negative
+     */
+    public long arriving(int row, int other, int more) {
+        return arrivals[row * rows + other] + ONES * Math.max(more, -MOST) & FLAGS;
+    }
+
+    /** The same for distances from where ghosts leave the lair. */
+    public long arrivingFromLair(int row, int more) {
+        return arrivalsFromLair[row] + ONES * Math.max(more, -MOST) & FLAGS;
+    }
+
+    /** Flags of the lanes with onward paths of at least so many steps. */
+    public long atLeast(int row, int length) {
+        return lengths[row] - ONES * Math.max(Math.min(length, MOST), -MOST) & FLAGS;
     }
 }

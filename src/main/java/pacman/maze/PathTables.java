@@ -42,8 +42,11 @@ public final class PathTables {
     /** Path from a row's junction to each other junction, by junction number. */
     private final int[][][] junctionPaths;
 
-    /** Length of the undirected path between junctions, by junction numbers. */
-    private final int[][] undirected;
+    /** Length of the undirected path between junctions j and k, by their numbers, at index junctions j + k. */
+    private final char[] undirected;
+
+    /** Number of the junction at each end of node v's corridor, and in the lower half the steps to it, from index 2 v on. */
+    private final int[] legs;
 
     public PathTables(MazeTables maze, Routes routes) {
         this.routes = routes;
@@ -60,7 +63,7 @@ public final class PathTables {
             }
         }
         junctionPaths = new int[count][junctions][];
-        undirected = new int[junctions][junctions];
+        undirected = new char[junctions * junctions];
         for (int row = 0; row < count; row++) {
             for (int k = 0; k < junctions; k++) {
                 junctionPaths[row][k] = routes.junctionOfRow(row) == graph.junctionNode(k)
@@ -69,10 +72,12 @@ public final class PathTables {
                                 .directedPath(
                                         routes.junctionOfRow(row), graph.junctionNode(k), routes.arrivalOfRow(row));
                 if (routes.arrivalOfRow(row) == Routes.NEUTRAL) {
-                    undirected[graph.junctionNumber(routes.junctionOfRow(row))][k] = junctionPaths[row][k].length;
+                    undirected[graph.junctionNumber(routes.junctionOfRow(row)) * junctions + k] =
+                            (char) junctionPaths[row][k].length;
                 }
             }
         }
+        legs = findLegs();
         rows = new char[count * nodes];
         fillRows();
     }
@@ -101,48 +106,49 @@ public final class PathTables {
 
     /** Length of the simulator's undirected path, where neither end is the lair. */
     public int undirectedLength(int from, int to) {
-        if (from == to) {
-            return 0;
+        int place = routes.place(from);
+        if (from == to || place >> 16 == routes.place(to) >> 16 && !graph.isJunction(from)) {
+            return Math.abs(place - routes.place(to));
         }
-        if (graph.isJunction(from)) {
-            return undirectedFromJunction(from, to);
+        int first = legs[2 * from];
+        int second = legs[2 * from + 1];
+        if (graph.isJunction(to)) {
+            // A junction at the end of the corridor is reached along it, by the first direction that leads there.
+            int number = graph.junctionNumber(to);
+            if (first >> 16 == number) {
+                return first & 0xFFFF;
+            }
+            if (second >> 16 == number) {
+                return second & 0xFFFF;
+            }
         }
-        for (int d = 0; d < 4; d++) {
-            if (graph.isOpen(from, d)) {
-                int along = alongCorridor(routes.leaving(from, d), to);
-                if (along > 0) {
-                    return along;
+        int firstTo = legs[2 * to];
+        int secondTo = legs[2 * to + 1];
+        return Math.min(
+                Math.min(lengthByLegs(first, firstTo), lengthByLegs(first, secondTo)),
+                Math.min(lengthByLegs(second, firstTo), lengthByLegs(second, secondTo)));
+    }
+
+    private int lengthByLegs(int leg, int other) {
+        return (leg & 0xFFFF) + undirected[(leg >> 16) * graph.junctionCount() + (other >> 16)] + (other & 0xFFFF);
+    }
+
+    private int[] findLegs() {
+        int[] found = new int[2 * nodes];
+        for (int v = 0; v < graph.lair(); v++) {
+            if (graph.isJunction(v)) {
+                Arrays.fill(found, 2 * v, 2 * v + 2, graph.junctionNumber(v) << 16);
+                continue;
+            }
+            int leg = 2 * v;
+            for (int d = 0; d < 4; d++) {
+                if (graph.isOpen(v, d)) {
+                    long route = routes.leaving(v, d);
+                    found[leg++] = graph.junctionNumber(routes.junction(route)) << 16 | Routes.steps(route);
                 }
             }
         }
-        int shortest = Integer.MAX_VALUE;
-        for (int d = 0; d < 4; d++) {
-            if (graph.isOpen(from, d)) {
-                long leg = routes.leaving(from, d);
-                shortest = Math.min(shortest, Routes.steps(leg) + undirectedFromJunction(routes.junction(leg), to));
-            }
-        }
-        return shortest;
-    }
-
-    /** Steps to a target in the corridor of a route or to the junction at its end; below 0 if it is elsewhere. */
-    private int alongCorridor(long route, int target) {
-        return target == routes.junction(route) ? Routes.steps(route) : routes.ahead(route, target);
-    }
-
-    private int undirectedFromJunction(int junction, int to) {
-        int[] lengths = undirected[graph.junctionNumber(junction)];
-        if (graph.isJunction(to)) {
-            return lengths[graph.junctionNumber(to)];
-        }
-        int shortest = Integer.MAX_VALUE;
-        for (int d = 0; d < 4; d++) {
-            if (graph.isOpen(to, d)) {
-                long leg = routes.leaving(to, d);
-                shortest = Math.min(shortest, lengths[graph.junctionNumber(routes.junction(leg))] + Routes.steps(leg));
-            }
-        }
-        return shortest;
+        return found;
     }
 
     // ---- What lies on a path ----

@@ -1,12 +1,11 @@
 package pacman.maze;
 
 import java.util.ArrayList;
-import java.util.Comparator;
+import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /**
- * In which order pills are met from a node in a direction.
+ * The order in which the pills of one kind are met from a node in a direction.
  *
  * <p>The nearest pill in a direction is the first active one in the corridor ahead, else the first active one in the order of
  * the row that continues from the junction at its end (nearest first, then by pill number, as the simulator prefers them).
@@ -21,11 +20,29 @@ public final class PillTables {
     /** Steps to a pill ahead in the upper half, its number in the lower half. */
     private final int[] ahead;
 
-    /** Pills in the order of row r, at index pills r + rank. */
-    private final short[] order;
+    /** Pills in the order of row r, at index pills r + rank: steps from the row's junction, and number, as in {@link #ahead}. */
+    private final int[] order;
 
-    public PillTables(MazeGraph graph, Routes routes, PathTables paths) {
-        pillNodes = IntStream.range(0, graph.pillCount()).map(graph::pillNode).toArray();
+    /** Number of the pill on each node, or -1. */
+    private final short[] numbers;
+
+    /** The order of a maze's pills. */
+    public static PillTables ofPills(MazeGraph graph, Routes routes, PathTables paths) {
+        return new PillTables(graph, graph.pillNodes(), routes, paths);
+    }
+
+    /** The order of a maze's power pills. */
+    public static PillTables ofPowerPills(MazeGraph graph, Routes routes, PathTables paths) {
+        return new PillTables(graph, graph.powerPillNodes(), routes, paths);
+    }
+
+    private PillTables(MazeGraph graph, int[] pillNodes, Routes routes, PathTables paths) {
+        this.pillNodes = pillNodes;
+        numbers = new short[graph.nodeCount()];
+        Arrays.fill(numbers, (short) CorridorPositions.NONE);
+        for (int pill = 0; pill < pillNodes.length; pill++) {
+            numbers[pillNodes[pill]] = (short) pill;
+        }
         aheadFrom = new int[4 * graph.nodeCount() + 1];
         List<Integer> entries = new ArrayList<>();
         for (int v = 0; v < graph.nodeCount(); v++) {
@@ -38,26 +55,21 @@ public final class PillTables {
         }
         aheadFrom[4 * graph.nodeCount()] = entries.size();
         ahead = entries.stream().mapToInt(Integer::intValue).toArray();
-        order = new short[routes.rowCount() * pillNodes.length];
+        order = new int[routes.rowCount() * pillNodes.length];
         for (int row = 0; row < routes.rowCount(); row++) {
-            int r = row;
-            int[] sorted = IntStream.range(0, pillNodes.length)
-                    .boxed()
-                    .sorted(Comparator.comparingInt(pill -> paths.rowLength(r, pillNodes[pill])))
-                    .mapToInt(Integer::intValue)
-                    .toArray();
-            for (int rank = 0; rank < sorted.length; rank++) {
-                order[row * pillNodes.length + rank] = (short) sorted[rank];
+            for (int pill = 0; pill < pillNodes.length; pill++) {
+                order[row * pillNodes.length + pill] = paths.rowLength(row, pillNodes[pill]) << 16 | pill;
             }
+            Arrays.sort(order, row * pillNodes.length, (row + 1) * pillNodes.length);
         }
     }
 
-    private static void addPillsAhead(MazeGraph graph, int from, int direction, List<Integer> entries) {
+    private void addPillsAhead(MazeGraph graph, int from, int direction, List<Integer> entries) {
         int move = direction;
         int node = graph.neighbour(from, direction);
         for (int steps = 1; ; steps++) {
-            if (graph.pillNumber(node) != CorridorPositions.NONE) {
-                entries.add(steps << 16 | graph.pillNumber(node));
+            if (numbers[node] != CorridorPositions.NONE) {
+                entries.add(steps << 16 | numbers[node]);
             }
             if (graph.isJunction(node)) {
                 return;
@@ -83,6 +95,12 @@ public final class PillTables {
         return 0;
     }
 
+    /** Whether the pill on a node is there and active. */
+    public boolean isActiveAt(int node, long[] active) {
+        int pill = numbers[node];
+        return pill >= 0 && (active[pill >> 6] >>> pill & 1) != 0;
+    }
+
     /**
      * Rank in a row's order of the first active pill.
      *
@@ -92,14 +110,14 @@ public final class PillTables {
     public int firstActive(int row, int rank, long[] active) {
         int base = row * pillNodes.length;
         int at = rank;
-        while ((active[order[base + at] >> 6] >>> order[base + at] & 1) == 0) {
+        while ((active[(order[base + at] & 0xFFFF) >> 6] >>> order[base + at] & 1) == 0) {
             at++;
         }
         return at;
     }
 
-    /** Node of the pill with a rank in a row's order. */
-    public int node(int row, int rank) {
-        return pillNodes[order[row * pillNodes.length + rank]];
+    /** Steps from a row's junction to the pill with a rank in its order. */
+    public int steps(int row, int rank) {
+        return order[row * pillNodes.length + rank] >> 16;
     }
 }

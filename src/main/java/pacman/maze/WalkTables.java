@@ -1,6 +1,8 @@
 package pacman.maze;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -13,45 +15,87 @@ public final class WalkTables {
     /*
      * Of a walk only the set of pills on it matters: a bit mask. A walk whose pills all lie on another walk is left out. The
      * greatest number of junctions does not depend on the state at all.
+     *
+     * Walks that start alike meet pills in a few words of the bit set only: those are kept. Walks with more pills come first,
+     * so that the search ends where no walk can have more pills than the best so far.
      */
 
     /** The mazes of the competition have at most a few dozen from one node; a net of corridors could have millions. */
     private static final int MOST_WALKS = 20_000;
 
-    /** Longs of one mask. */
-    private final int words;
-
     /** Number of the first walk from node v in direction d, at index 4 v + d; the walks of the next index follow. */
     private final int[] first;
 
-    /** Pills on each walk, {@link #words} longs each. */
+    /** For the same index, the first and the number of the words that its walks' masks have. */
+    private final byte[] firstWord;
+
+    private final byte[] wordCount;
+
+    /** For the same index, where its masks start. */
+    private final int[] maskStart;
+
+    /** Pills on each walk, as many longs as its index has words. */
     private final long[] masks;
+
+    /** Number of pills on each walk, descending for each index. */
+    private final byte[] sizes;
 
     /** Most junctions on a walk from node v in direction d, at index 4 v + d. */
     private final byte[] junctions;
 
     /** Walks of so many steps in a maze. */
     public WalkTables(MazeGraph graph, int depth) {
-        words = graph.pillWords();
-        first = new int[4 * graph.nodeCount() + 1];
-        junctions = new byte[4 * graph.nodeCount()];
-        Explorer explorer = new Explorer(graph, depth, words);
-        List<long[]> all = new ArrayList<>();
-        for (int v = 0; v < graph.nodeCount(); v++) {
-            for (int d = 0; d < 4; d++) {
-                first[4 * v + d] = all.size();
-                if (graph.neighbour(v, d) != CorridorPositions.NONE) {
-                    explorer.explore(v, d);
-                    junctions[4 * v + d] = (byte) explorer.mostJunctions;
-                    all.addAll(explorer.walks);
+        int indices = 4 * graph.nodeCount();
+        first = new int[indices + 1];
+        maskStart = new int[indices];
+        firstWord = new byte[indices];
+        wordCount = new byte[indices];
+        junctions = new byte[indices];
+        Explorer explorer = new Explorer(graph, depth, graph.pillWords());
+        List<Integer> allSizes = new ArrayList<>();
+        List<Long> allMasks = new ArrayList<>();
+        for (int index = 0; index < indices; index++) {
+            first[index] = allSizes.size();
+            maskStart[index] = allMasks.size();
+            if (graph.neighbour(index >> 2, index & 3) != CorridorPositions.NONE) {
+                explorer.explore(index >> 2, index & 3);
+                junctions[index] = (byte) explorer.mostJunctions;
+                explorer.walks.sort(Comparator.comparingInt(WalkTables::size).reversed());
+                findWords(index, explorer.walks);
+                for (long[] walk : explorer.walks) {
+                    allSizes.add(size(walk));
+                    for (int word = 0; word < wordCount[index]; word++) {
+                        allMasks.add(walk[firstWord[index] + word]);
+                    }
                 }
             }
         }
-        first[4 * graph.nodeCount()] = all.size();
-        masks = new long[all.size() * words];
-        for (int i = 0; i < all.size(); i++) {
-            System.arraycopy(all.get(i), 0, masks, i * words, words);
+        first[indices] = allSizes.size();
+        masks = allMasks.stream().mapToLong(Long::longValue).toArray();
+        sizes = new byte[allSizes.size()];
+        for (int walk = 0; walk < sizes.length; walk++) {
+            sizes[walk] = allSizes.get(walk).byteValue();
         }
+    }
+
+    private static int size(long[] walk) {
+        return Arrays.stream(walk).mapToInt(Long::bitCount).sum();
+    }
+
+    /** Finds the words in which any of these walks has pills. */
+    private void findWords(int index, List<long[]> walks) {
+        int last = 0;
+        int start = walks.get(0).length;
+        for (long[] walk : walks) {
+            for (int word = 0; word < walk.length; word++) {
+                if (walk[word] != 0) {
+                    start = Math.min(start, word);
+                    last = Math.max(last, word + 1);
+                }
+            }
+        }
+        firstWord[index] = (byte) start;
+        wordCount[index] = (byte) Math.max(last - start, 0);
     }
 
     /**
@@ -60,12 +104,15 @@ public final class WalkTables {
      * @param active bits of the active pills
      */
     public int mostPills(int node, int direction, long[] active) {
+        int index = 4 * node + direction;
+        int end = first[index + 1];
+        int start = firstWord[index];
+        int afterLast = start + wordCount[index];
+        int at = maskStart[index];
         int most = 0;
-        int end = first[4 * node + direction + 1] * words;
-        int at = first[4 * node + direction] * words;
-        while (at < end) {
+        for (int walk = first[index]; walk < end && sizes[walk] > most; walk++) {
             int pills = 0;
-            for (int word = 0; word < words; word++) {
+            for (int word = start; word < afterLast; word++) {
                 pills += Long.bitCount(masks[at++] & active[word]);
             }
             most = Math.max(most, pills);

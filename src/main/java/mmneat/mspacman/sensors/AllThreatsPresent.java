@@ -1,16 +1,11 @@
 package mmneat.mspacman.sensors;
 
 /** "All Threat Ghosts Present?": 1 if all four ghosts are threats outside the lair, else 0. */
-record AllThreatsPresent() implements Sensor {
+record AllThreatsPresent() implements CommonSensor {
 
     @Override
     public String label() {
         return "All Threats Present";
-    }
-
-    @Override
-    public boolean isDirectional() {
-        return false;
     }
 
     @Override

@@ -1,16 +1,11 @@
 package mmneat.mspacman.sensors;
 
 /** "Any Ghosts Edible?": 1 if a ghost is edible, else 0. */
-record AnyGhostsEdible() implements Sensor {
+record AnyGhostsEdible() implements CommonSensor {
 
     @Override
     public String label() {
         return "Some Ghost Edible";
-    }
-
-    @Override
-    public boolean isDirectional() {
-        return false;
     }
 
     @Override

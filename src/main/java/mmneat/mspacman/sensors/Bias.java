@@ -1,16 +1,11 @@
 package mmneat.mspacman.sensors;
 
 /** "Bias": always 1. */
-record Bias() implements Sensor {
+record Bias() implements CommonSensor {
 
     @Override
     public String label() {
         return "Bias";
-    }
-
-    @Override
-    public boolean isDirectional() {
-        return false;
     }
 
     @Override

@@ -5,16 +5,11 @@ package mmneat.mspacman.sensors;
  *
  * @param closeness in steps
  */
-record CloseToPowerPill(double closeness) implements Sensor {
+record CloseToPowerPill(double closeness) implements CommonSensor {
 
     @Override
     public String label() {
         return "Within " + closeness + " of Power Pill?";
-    }
-
-    @Override
-    public boolean isDirectional() {
-        return false;
     }
 
     @Override

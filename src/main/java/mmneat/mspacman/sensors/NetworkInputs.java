@@ -15,13 +15,17 @@ import pacman.maze.MazeTables;
 public final class NetworkInputs {
 
     private static final int DIRECTIONS = 4;
+    private static final long UNKNOWN = -1;
 
     private final SensorSuite suite;
     private final Sensor[] sensors;
     private final Observation observation = new Observation();
 
-    /** Inputs that do not depend on the direction. */
+    /** Inputs that depend on {@link Observation#commonState} alone. */
     private final int[] common;
+
+    /** Other inputs that do not depend on the direction. */
+    private final int[] undirected;
 
     /** Inputs that depend on the direction. */
     private final int[] directional;
@@ -40,13 +44,17 @@ public final class NetworkInputs {
     /** Hyperbolic tangent of input i for direction d at index d stride + i. */
     private final double[] activations;
 
+    /** What {@link #common} was sensed for last. */
+    private long commonState = UNKNOWN;
+
     private MazeTables knownMaze;
     private SensorTables tables;
 
     NetworkInputs(SensorSuite suite) {
         this.suite = suite;
         sensors = suite.sensors().toArray(Sensor[]::new);
-        common = inputsThat(i -> !sensors[i].isDirectional());
+        common = inputsThat(i -> sensors[i] instanceof CommonSensor);
+        undirected = inputsThat(i -> !sensors[i].isDirectional() && !(sensors[i] instanceof CommonSensor));
         directional = inputsThat(i -> sensors[i].isDirectional());
         boolean isStandard = StandardInputs.serve(suite.settings());
         standard = isStandard ? new StandardInputs(suite) : null;
@@ -84,6 +92,7 @@ public final class NetworkInputs {
         if (maze != knownMaze) {
             knownMaze = maze;
             tables = suite.tables(maze);
+            commonState = UNKNOWN;
         }
         observation.observe(game, tables);
         senseCommon();
@@ -91,7 +100,15 @@ public final class NetworkInputs {
 
     /** Senses what does not depend on the direction, once the observation is known. */
     void senseCommon() {
-        for (int i : common) {
+        if (observation.commonState() != commonState) {
+            commonState = observation.commonState();
+            senseUndirected(common);
+        }
+        senseUndirected(undirected);
+    }
+
+    private void senseUndirected(int[] which) {
+        for (int i : which) {
             double value = sensors[i].sense(observation);
             // These change seldom, so their tangents are kept.
             if (value != inputs[i]) {

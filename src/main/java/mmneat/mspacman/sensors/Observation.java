@@ -3,6 +3,7 @@ package mmneat.mspacman.sensors;
 import java.util.Arrays;
 import pacman.game.Game;
 import pacman.maze.PathTables;
+import pacman.maze.PillTables;
 import pacman.maze.Routes;
 
 /**
@@ -43,7 +44,7 @@ public final class Observation {
     private final int[] lairTime = new int[GHOSTS];
     private long[] activePills = new long[0];
     private int pillsLeft;
-    private long activePowerPills;
+    private final long[] activePowerPills = new long[1];
     private int powerPillsLeft;
 
     // What follows from the state.
@@ -54,6 +55,11 @@ public final class Observation {
     private final int[] harmless = new int[GHOSTS];
 
     private final int[] neighboursPassed = new int[GHOSTS];
+
+    /** Whether each ghost heads for her, as far as its bit is set in {@link #headingKnown}: found on request. */
+    private final boolean[] heading = new boolean[GHOSTS];
+
+    private int headingKnown;
     private int highestEdibleTime;
     private int edibleGhosts;
     private int threats;
@@ -75,6 +81,8 @@ public final class Observation {
 
     /** In each row's order of pills the first that may be active: pills do not come back within a level. */
     private int[] firstActiveRank = new int[0];
+
+    private int[] firstActivePowerRank = new int[0];
 
     private final SafetyTest safety = new SafetyTest(this);
 
@@ -113,8 +121,10 @@ public final class Observation {
         int rows = routes.rowCount();
         if (firstActiveRank.length < rows) {
             firstActiveRank = new int[rows];
+            firstActivePowerRank = new int[rows];
         }
         Arrays.fill(firstActiveRank, 0);
+        Arrays.fill(firstActivePowerRank, 0);
     }
 
     /** Sets Ms. Pac-Man's node. */
@@ -137,7 +147,10 @@ public final class Observation {
 
     /** Sets the bits of the active power pills. */
     void setPowerPills(long bits) {
-        activePowerPills = bits;
+        if ((bits & ~activePowerPills[0]) != 0) {
+            Arrays.fill(firstActivePowerRank, 0);
+        }
+        activePowerPills[0] = bits;
     }
 
     /**
@@ -154,11 +167,12 @@ public final class Observation {
 
     /** Finds what follows from the state, once everything is set. */
     void conclude() {
+        headingKnown = 0;
         pillsLeft = 0;
         for (long word : activePills) {
             pillsLeft += Long.bitCount(word);
         }
-        powerPillsLeft = Long.bitCount(activePowerPills);
+        powerPillsLeft = Long.bitCount(activePowerPills[0]);
         highestEdibleTime = 0;
         edibleGhosts = 0;
         threats = 0;
@@ -241,9 +255,9 @@ public final class Observation {
         return ghostRoute[ghost];
     }
 
-    /** Whether a ghost outside the lair is in the corridor before the next junction. */
-    boolean isInCorridorAhead(int ghost) {
-        return stepsAhead[ghost] > 0;
+    /** Steps to a ghost outside the lair if it is in the corridor before the next junction; else 0 or less. */
+    int stepsAhead(int ghost) {
+        return stepsAhead[ghost];
     }
 
     /** Number of steps in which no ghost can stop Ms. Pac-Man, wherever she goes; below 0 if there is a threat. */
@@ -256,6 +270,15 @@ public final class Observation {
         return harmless[ghost];
     }
 
+    /** Whether a ghost outside the lair takes the shortest path to Ms. Pac-Man; both lengths as the simulator has them. */
+    boolean headsForPacMan(int ghost) {
+        if ((headingKnown >> ghost & 1) == 0) {
+            headingKnown |= 1 << ghost;
+            heading[ghost] = ghostPathLength[ghost] == paths.undirectedLength(ghostNode[ghost], node);
+        }
+        return heading[ghost];
+    }
+
     /** Steps of a ghost's own path to Ms. Pac-Man. */
     int ghostPathLength(int ghost) {
         return ghostPathLength[ghost];
@@ -264,6 +287,13 @@ public final class Observation {
     /** One word of the bits of active pills. */
     long activePills(int word) {
         return activePills[word];
+    }
+
+    /** A number that says everything that the published sensors sense which do not depend on the direction. */
+    long commonState() {
+        return (long) highestEdibleTime << 32
+                | (isCloseToPowerPill() ? 1L << 31 : 0)
+                | (long) (edibleGhosts << 28 | threats << 24 | powerPillsLeft << 16 | pillsLeft);
     }
 
     // ---- What sensors ask ----
@@ -364,41 +394,31 @@ public final class Observation {
 
     /** Whether an active power pill is closer than the given closeness, by shortest distance. */
     public boolean isCloseToPowerPill() {
-        return (tables.closePowerPills[node] & activePowerPills) != 0;
+        return (tables.closePowerPills[node] & activePowerPills[0]) != 0;
     }
 
     /** Steps in this direction to the nearest active pill, or -1 if none is left. */
     public int nearestPill() {
-        if (pillsLeft == 0) {
-            return -1;
-        }
-        if (least == 0) {
-            int here = tables.graph.pillNumber(node);
-            if (here >= 0 && (activePills[here >> 6] >>> here & 1) != 0) {
-                return 0;
-            }
-        }
-        int ahead = tables.pills.stepsToPillAhead(node, direction, activePills);
-        if (ahead > 0) {
-            return ahead;
-        }
-        int row = Routes.row(route);
-        int rank = tables.pills.firstActive(row, firstActiveRank[row], activePills);
-        firstActiveRank[row] = rank;
-        return Routes.steps(route) + paths.rowLength(row, tables.pills.node(row, rank));
+        return pillsLeft == 0 ? -1 : nearest(tables.pills, activePills, firstActiveRank);
     }
 
     /** Steps in this direction to the nearest active power pill, or -1 if none is left. */
     public int nearestPowerPill() {
-        int nearest = -1;
-        for (long left = activePowerPills; left != 0; left &= left - 1) {
-            int at = tables.graph.powerPillNode(Long.numberOfTrailingZeros(left));
-            int length = paths.length(route, least, at);
-            if (nearest < 0 || length < nearest) {
-                nearest = length;
-            }
+        return powerPillsLeft == 0 ? -1 : nearest(tables.powerPills, activePowerPills, firstActivePowerRank);
+    }
+
+    private int nearest(PillTables pills, long[] active, int[] firstRank) {
+        if (least == 0 && pills.isActiveAt(node, active)) {
+            return 0;
         }
-        return nearest;
+        int ahead = pills.stepsToPillAhead(node, direction, active);
+        if (ahead > 0) {
+            return ahead;
+        }
+        int row = Routes.row(route);
+        int rank = pills.firstActive(row, firstRank[row], active);
+        firstRank[row] = rank;
+        return Routes.steps(route) + pills.steps(row, rank);
     }
 
     /** Steps in this direction to the next junction. */

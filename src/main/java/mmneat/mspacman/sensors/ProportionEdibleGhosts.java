@@ -1,16 +1,11 @@
 package mmneat.mspacman.sensors;
 
 /** "Proportion Edible Ghosts": edible ghosts / 4, in [0, 1]. */
-record ProportionEdibleGhosts() implements Sensor {
+record ProportionEdibleGhosts() implements CommonSensor {
 
     @Override
     public String label() {
         return "Portion Edible Ghost Remaining";
-    }
-
-    @Override
-    public boolean isDirectional() {
-        return false;
     }
 
     @Override

@@ -5,16 +5,11 @@ package mmneat.mspacman.sensors;
  *
  * @param longest edible time of the first level
  */
-record ProportionEdibleTime(int longest) implements Sensor {
+record ProportionEdibleTime(int longest) implements CommonSensor {
 
     @Override
     public String label() {
         return "3 Highest Edible Time";
-    }
-
-    @Override
-    public boolean isDirectional() {
-        return false;
     }
 
     @Override

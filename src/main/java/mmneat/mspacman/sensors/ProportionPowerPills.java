@@ -1,16 +1,11 @@
 package mmneat.mspacman.sensors;
 
 /** "Proportion Power Pills": power pills left / power pills of the maze, in [0, 1]; 0 in a maze without any. */
-record ProportionPowerPills() implements Sensor {
+record ProportionPowerPills() implements CommonSensor {
 
     @Override
     public String label() {
         return "Portion Power Pill Remaining";
-    }
-
-    @Override
-    public boolean isDirectional() {
-        return false;
     }
 
     @Override

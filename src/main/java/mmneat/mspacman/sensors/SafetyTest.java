@@ -1,7 +1,5 @@
 package mmneat.mspacman.sensors;
 
-import static pacman.maze.CorridorPositions.NONE;
-
 import pacman.maze.OnwardJunctions;
 import pacman.maze.PathTables;
 import pacman.maze.Routes;
@@ -14,10 +12,13 @@ import pacman.maze.Routes;
 final class SafetyTest {
 
     /*
-     * Her path to one of the junctions beyond the next one is her corridor, the next junction, and an onward path that is kept
-     * as a set of nodes: whether a ghost is on her path is two comparisons and a bit. A ghost's own path is only written out
-     * if it is on hers and neither simply runs ahead nor comes towards her; then the path is written into a scratch array.
-     * The rule of the last pill, which asks for paths to any pill, writes out her own path too.
+     * Targets are the next junction and those beyond it, four at most: the lanes of OnwardJunctions. Each rule is asked once
+     * per ghost, for all targets together.
+     *
+     * Her path to a target is her corridor, the next junction, and an onward path. A ghost on it that is in a corridor has
+     * the whole rest of that corridor on it, too. So the ghost's own path to the target stays on hers if and only if it
+     * stays on the onward path from the end of its corridor on, which is looked up. That holds unless the onward path comes
+     * by her own node. For such targets, and for the last pill as target, paths are written out and compared node by node.
      */
 
     private static final int MEETING_DISTANCE = 2;
@@ -25,21 +26,14 @@ final class SafetyTest {
     private final Observation observation;
     private SensorTables tables;
     private PathTables paths;
-    private Routes routes;
 
-    /** Ms. Pac-Man's path: its target, its steps, and the onward path behind the next junction, NONE if it ends there. */
-    private int target;
+    /** Ms. Pac-Man's route, its row, and the steps to the next junction. */
+    private long route;
 
-    private int steps;
-    private int onward;
+    private int row;
+    private int toJunction;
 
-    /** Whether so few pills, and no power pills, are left that all may be on a path. */
-    private boolean mayGoToLastPill;
-
-    /** Whether her path ends anywhere, as for the last pill: then it is marked by stamps. */
-    private boolean isStamped;
-
-    /** A node is on the stamped path if its stamp is the current one. */
+    /** A node is on the path that was written out last if its stamp is the current one. */
     private int[] stamps = new int[0];
 
     private int stamp;
@@ -56,34 +50,33 @@ final class SafetyTest {
     int options() {
         tables = observation.tables();
         paths = tables.paths;
-        routes = tables.routes;
-        long route = observation.route();
-        target = routes.junction(route);
-        steps = Routes.steps(route);
-        onward = NONE;
-        int row = Routes.row(route);
-        int moves = tables.onward.moves(observation.pacManNode(), observation.direction());
-        int mostSteps = steps + tables.onward.longest(row);
-        mayGoToLastPill = observation.powerPillsLeft() == 0
+        route = observation.route();
+        row = Routes.row(route);
+        toJunction = Routes.steps(route);
+        OnwardJunctions onward = tables.onward;
+        int moves = onward.moves(observation.pacManNode(), observation.direction());
+        int mostSteps = toJunction + onward.longest(row);
+        boolean mayReachLastPill = observation.powerPillsLeft() == 0
                 && observation.pillsLeft() > 0
                 && observation.pillsLeft() <= mostSteps;
-        if (mostSteps <= observation.harmlessSteps() && !mayGoToLastPill) {
+        if (mostSteps <= observation.harmlessSteps() && !mayReachLastPill) {
             return Integer.bitCount(moves);
         }
-        return isSafe() ? safeMoves(route, row, moves) : 0;
-    }
-
-    private int safeMoves(long route, int row, int onwardMoves) {
-        int options = 0;
-        for (int moves = onwardMoves; moves != 0; moves &= moves - 1) {
-            onward = OnwardJunctions.path(row, Integer.numberOfTrailingZeros(moves));
-            target = tables.onward.end(onward);
-            steps = Routes.steps(route) + tables.onward.length(onward);
-            if (isSafe()) {
-                options++;
+        int targets = moves | onward.ownBit(row);
+        int special = targets & onward.passing(row, observation.pacManNode());
+        if (mayReachLastPill) {
+            special |= targets & passingAllPills();
+        }
+        long junction = OnwardJunctions.flags(onward.ownBit(row));
+        long ordinary = OnwardJunctions.flags(targets & ~special);
+        long safe = withoutStopped(ordinary, junction & ordinary, mostSteps);
+        for (int lanes = special; lanes != 0; lanes &= lanes - 1) {
+            int lane = Integer.numberOfTrailingZeros(lanes);
+            if (isSafe(onward.target(row, lane), toJunction + onward.length(row, lane))) {
+                safe |= OnwardJunctions.flags(1 << lane);
             }
         }
-        return options;
+        return (safe & junction) == 0 ? 0 : Long.bitCount(safe) - 1;
     }
 
     /** Number of steps of her path up to which a ghost cannot stop her by any rule below; -1 for threats. */
@@ -96,62 +89,88 @@ final class SafetyTest {
         return edibleTime > 0 && timeToMeet(observation.ghostPathLength(ghost)) < edibleTime ? edibleTime - 1 : -1;
     }
 
-    private boolean isSafe() {
-        isStamped = false;
-        if (mayGoToLastPill && observation.pillsLeft() <= steps) {
-            goOnlyToLastPill();
-        }
+    // ---- All targets together ----
+
+    /**
+     * Takes from the flags of targets those before which a ghost stops her.
+     *
+     * @param required without these the others do not count, and may be left as they are
+     * @param mostSteps of the longest path
+     */
+    private long withoutStopped(long targets, long required, int mostSteps) {
+        long stopped = 0;
+        int ghostsOnPaths = 0;
         for (int ghost = 0; ghost < Observation.GHOSTS; ghost++) {
-            boolean stops;
-            if (!observation.isOutside(ghost)) {
-                stops = stopsFromLair(observation.lairTime(ghost));
-            } else if (observation.isEdible(ghost)) {
-                stops = stopsWhileEdible(ghost, observation.edibleTime(ghost));
+            if (observation.harmlessSteps(ghost) >= mostSteps) {
+                continue;
+            }
+            if (observation.isOutside(ghost)) {
+                // 1 if the ghost is on one of her paths: without a branch, which could not be predicted.
+                int isOnPath = -onPaths(ghost) >>> 31;
+                ghostsOnPaths |= isOnPath << ghost;
+                stopped |= arrivesFirst(ghost) & isOnPath - 1L;
             } else {
-                stops = stopsAsThreat(ghost);
-            }
-            if (stops) {
-                return false;
+                stopped |= stoppedFromLair(observation.lairTime(ghost));
             }
         }
-        return true;
+        long safe = targets & ~stopped;
+        for (int left = ghostsOnPaths; left != 0 && (safe & required) == required; left &= left - 1) {
+            safe &= ~stoppedOnPath(Integer.numberOfTrailingZeros(left), safe);
+        }
+        return safe;
     }
 
-    private boolean stopsFromLair(int lairTime) {
-        return lairTime < steps && tables.fromLairExit[target] + lairTime - MEETING_DISTANCE <= steps;
+    private long stoppedFromLair(int lairTime) {
+        return tables.onward.atLeast(row, lairTime + 1 - toJunction)
+                & tables.onward.arrivingFromLair(row, toJunction + MEETING_DISTANCE - lairTime);
     }
 
-    private boolean stopsAsThreat(int ghost) {
+    /** Flags of the targets at which a ghost outside the lair can be, no longer edible, when she comes. */
+    private long arrivesFirst(int ghost) {
+        int edibleTime = observation.edibleTime(ghost);
+        long ghostRoute = observation.ghostRoute(ghost);
+        int more = toJunction + MEETING_DISTANCE - Routes.steps(ghostRoute) - edibleTime;
+        long arrives = tables.onward.arriving(row, Routes.row(ghostRoute), more);
+        return edibleTime == 0 ? arrives : arrives & tables.onward.atLeast(row, edibleTime - toJunction);
+    }
+
+    /** Bits of the targets to which her path passes a ghost; all if it is before the next junction. */
+    private int onPaths(int ghost) {
+        int inCorridor = -Math.max(observation.stepsAhead(ghost), 0) >>> 28;
+        return inCorridor | tables.onward.passing(row, observation.ghostNode(ghost));
+    }
+
+    /**
+     * Flags of the targets before which a ghost on her paths to some of them stops her.
+     *
+     * @param asked flags of the targets of interest
+     */
+    private long stoppedOnPath(int ghost, long asked) {
         int node = observation.ghostNode(ghost);
-        if (node == target && !observation.isApproaching(ghost)) {
-            return false;
-        }
-        if (isGhostOnPath(ghost, node)) {
-            if (runsAhead(ghost, node)) {
-                return false;
+        long ghostRoute = observation.ghostRoute(ghost);
+        int edibleTime = observation.edibleTime(ghost);
+        long onPaths = OnwardJunctions.flags(onPaths(ghost));
+        long passed = 0;
+        if (observation.stepsAhead(ghost) > 0) {
+            if (Routes.isSameCourse(ghostRoute, route)) {
+                return 0;
             }
-            if (headsForPacMan(ghost, node)) {
-                return true;
-            }
+        } else if (!tables.graph.isJunction(node)) {
+            passed = OnwardJunctions.flags(tables.onward.within(row, Routes.row(ghostRoute))) & onPaths;
+        } else if (edibleTime == 0 && !observation.isApproaching(ghost)) {
+            passed = OnwardJunctions.flags(tables.onward.endingAt(row, node));
         }
-        return ghostSteps(ghost) - MEETING_DISTANCE <= steps;
+        long stopped = arrivesFirst(ghost) & ~passed;
+        long inTheWay = onPaths & ~passed;
+        return (inTheWay & ~stopped & asked) != 0 && meetsAsThreat(ghost, edibleTime) ? stopped | inTheWay : stopped;
     }
 
-    private boolean stopsWhileEdible(int ghost, int edibleTime) {
-        if (steps <= observation.harmlessSteps(ghost)) {
-            return false;
-        }
-        int node = observation.ghostNode(ghost);
-        if (isGhostOnPath(ghost, node)) {
-            if (runsAhead(ghost, node)) {
-                return false;
-            }
-            int distance = tables.distances.between(node, observation.pacManNode());
-            if (timeToMeet(distance) >= edibleTime && headsForPacMan(ghost, node)) {
-                return true;
-            }
-        }
-        return steps >= edibleTime && ghostSteps(ghost) + edibleTime - MEETING_DISTANCE <= steps;
+    /** Whether a ghost heads for her and is no longer edible when they meet. */
+    private boolean meetsAsThreat(int ghost, int edibleTime) {
+        return (edibleTime == 0
+                        || timeToMeet(tables.distances.between(observation.ghostNode(ghost), observation.pacManNode()))
+                                >= edibleTime)
+                && observation.headsForPacMan(ghost);
     }
 
     /** Steps until Ms. Pac-Man and an edible ghost, at half her speed, meet. */
@@ -159,114 +178,104 @@ final class SafetyTest {
         return 2 * ((distance - MEETING_DISTANCE) / 3);
     }
 
-    private int ghostSteps(int ghost) {
-        // Only pills can be in the ghost's own corridor: a junction is beyond it, or the place where it is.
-        return isStamped
-                ? paths.length(observation.ghostRoute(ghost), 0, target)
-                : paths.lengthBeyond(observation.ghostRoute(ghost), target);
-    }
-
-    /** Both lengths as the simulator's paths have them. */
-    private boolean headsForPacMan(int ghost, int node) {
-        return observation.ghostPathLength(ghost) == paths.undirectedLength(node, observation.pacManNode());
-    }
-
-    private boolean isGhostOnPath(int ghost, int node) {
-        if (isStamped) {
-            return stamps[node] == stamp;
-        }
-        return observation.isInCorridorAhead(ghost)
-                || node == routes.junction(observation.route())
-                || onward != NONE && tables.onward.passes(onward, node);
-    }
-
-    private boolean isOnPath(int node) {
-        if (isStamped) {
-            return stamps[node] == stamp;
-        }
-        return routes.ahead(observation.route(), node) > 0
-                || node == routes.junction(observation.route())
-                || onward != NONE && tables.onward.passes(onward, node);
-    }
-
-    /** Whether a ghost on her path, but not on a junction, goes to the target along her path. */
-    private boolean runsAhead(int ghost, int node) {
-        if (tables.graph.isJunction(node)) {
-            return false;
-        }
-        long ghostRoute = observation.ghostRoute(ghost);
-        if (!isStamped && observation.isInCorridorAhead(ghost)) {
-            if (Routes.isSameCourse(ghostRoute, observation.route())) {
-                return true;
-            }
-            // It comes towards her, and so passes her.
-            if (!isOnPath(observation.pacManNode())) {
-                return false;
+    /** Bits of the targets to which her path passes all pills that are left. */
+    private int passingAllPills() {
+        int passing = 0xF;
+        for (int word = 0; word < tables.graph.pillWords(); word++) {
+            for (long left = observation.activePills(word); left != 0 && passing != 0; left &= left - 1) {
+                int pill = tables.graph.pillNode(64 * word + Long.numberOfTrailingZeros(left));
+                if (tables.routes.ahead(route, pill) <= 0 && pill != tables.routes.junction(route)) {
+                    passing &= tables.onward.passing(row, pill);
+                }
             }
         }
-        return isWithinPath(ghostRoute);
+        return passing;
     }
 
-    private boolean isWithinPath(long ghostRoute) {
-        int ahead = routes.ahead(ghostRoute, target);
-        boolean inCorridor = ahead >= 0;
-        int legSteps = inCorridor ? ahead : Routes.steps(ghostRoute);
-        for (int step = 1; step <= legSteps; step++) {
-            boolean isEnd = step == legSteps && !inCorridor;
-            if (!isOnPath(isEnd ? routes.junction(ghostRoute) : routes.corridorNode(ghostRoute, step))) {
-                return false;
+    // ---- One target, with paths written out ----
+
+    private boolean isSafe(int junction, int stepsToJunction) {
+        int target = junction;
+        int steps = stepsToJunction;
+        stampPath(target);
+        if (observation.powerPillsLeft() == 0 && observation.pillsLeft() > 0) {
+            // Eating the last pill ends the level: if all pills are on her path, it ends at the last.
+            int last = lastPillOnPath();
+            if (last >= 0) {
+                target = last;
+                steps = paths.length(route, observation.least(), last);
+                stampPath(last);
             }
         }
-        if (inCorridor) {
-            return true;
-        }
-        makeRoom();
-        int length = paths.rowPath(Routes.row(ghostRoute), target, path, 0);
-        for (int i = 0; i < length; i++) {
-            if (!isOnPath(path[i])) {
+        for (int ghost = 0; ghost < Observation.GHOSTS; ghost++) {
+            if (stops(ghost, target, steps)) {
                 return false;
             }
         }
         return true;
     }
 
-    private void makeRoom() {
-        int nodes = tables.graph.nodeCount();
-        if (stamps.length < nodes) {
-            stamps = new int[nodes];
-            stamp = 0;
-            path = new int[PathTables.LONGEST * nodes];
-        }
-    }
-
-    /** Eating the last pill ends the level: if all pills are on her path and no power pill is left, it ends at the last. */
-    private void goOnlyToLastPill() {
-        stampPath(target);
-        int last = NONE;
+    /** The last pill on the stamped path if all that are left are on it, else -1. */
+    private int lastPillOnPath() {
+        int last = -1;
         int longest = -1;
         for (int word = 0; word < tables.graph.pillWords(); word++) {
             for (long left = observation.activePills(word); left != 0; left &= left - 1) {
                 int pill = tables.graph.pillNode(64 * word + Long.numberOfTrailingZeros(left));
                 if (stamps[pill] != stamp) {
-                    return;
+                    return -1;
                 }
-                int length = paths.length(observation.route(), observation.least(), pill);
+                int length = paths.length(route, observation.least(), pill);
                 if (length > longest) {
                     longest = length;
                     last = pill;
                 }
             }
         }
-        target = last;
-        steps = longest;
-        stampPath(last);
-        isStamped = true;
+        return last;
+    }
+
+    private boolean stops(int ghost, int target, int steps) {
+        if (!observation.isOutside(ghost)) {
+            int lairTime = observation.lairTime(ghost);
+            return lairTime < steps && tables.fromLairExit[target] + lairTime - MEETING_DISTANCE <= steps;
+        }
+        int node = observation.ghostNode(ghost);
+        int edibleTime = observation.edibleTime(ghost);
+        if (edibleTime == 0 && node == target && !observation.isApproaching(ghost)) {
+            return false;
+        }
+        if (stamps[node] == stamp) {
+            if (!tables.graph.isJunction(node) && isWithinPath(observation.ghostRoute(ghost), target)) {
+                return false;
+            }
+            if (meetsAsThreat(ghost, edibleTime)) {
+                return true;
+            }
+        }
+        int ghostSteps = paths.length(observation.ghostRoute(ghost), 0, target);
+        return steps >= edibleTime && ghostSteps + edibleTime - MEETING_DISTANCE <= steps;
+    }
+
+    private boolean isWithinPath(long ghostRoute, int target) {
+        int length = paths.path(ghostRoute, 0, target, path);
+        for (int i = 0; i < length; i++) {
+            if (stamps[path[i]] != stamp) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private void stampPath(int end) {
-        makeRoom();
+        int nodes = tables.graph.nodeCount();
+        if (stamps.length < nodes) {
+            stamps = new int[nodes];
+            stamp = 0;
+            path = new int[PathTables.LONGEST * nodes];
+        }
         stamp++;
-        int length = paths.path(observation.route(), observation.least(), end, path);
+        int length = paths.path(route, observation.least(), end, path);
         for (int i = 0; i < length; i++) {
             stamps[path[i]] = stamp;
         }

@@ -17,6 +17,7 @@ final class SensorTables {
     final Routes routes;
     final PathTables paths;
     final PillTables pills;
+    final PillTables powerPills;
     final OnwardJunctions onward;
     final WalkTables walks;
 
@@ -47,8 +48,9 @@ final class SensorTables {
         distances = maze.distances();
         routes = new Routes(graph);
         paths = new PathTables(maze, routes);
-        pills = new PillTables(graph, routes, paths);
-        onward = new OnwardJunctions(graph, routes, paths);
+        pills = PillTables.ofPills(graph, routes, paths);
+        powerPills = PillTables.ofPowerPills(graph, routes, paths);
+        onward = new OnwardJunctions(maze, routes, paths);
         walks = new WalkTables(graph, lookAhead);
         closePowerPills = new long[graph.nodeCount()];
         fromLairExit = new short[graph.nodeCount()];
