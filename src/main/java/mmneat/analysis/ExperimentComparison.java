@@ -3,7 +3,9 @@ package mmneat.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import mmneat.analysis.results.Experiment;
+import mmneat.analysis.results.MethodName;
 import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.results.RunResult;
 import mmneat.analysis.statistics.ComparisonReport;
@@ -22,7 +24,7 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
 
     /** Where the champions' scores come from. */
     public enum Scores {
-        /** The evaluations if all runs have one, else the last generation. */
+        /** The evaluations if a finished run has one, else the last generation. */
         AUTO,
         /** The evaluations after evolution. */
         EVALUATION,
@@ -39,7 +41,7 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
      *
      * @param paper whether the paper's champions stand beside ours
      * @return one comparison per version, in the order of the experiments
-     * @throws UserError if the evaluations are wanted but not all there, or the paper has none of the experiments
+     * @throws UserError if the evaluations are wanted but an experiment has none, or the paper has none of the experiments
      */
     public static List<ExperimentComparison> ofEachVersion(List<Experiment> experiments, Scores scores, boolean paper) {
         Map<String, List<Experiment>> versions = Experiment.byVersion(experiments);
@@ -56,69 +58,92 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
     private static ExperimentComparison of(String version, List<Experiment> experiments, Scores scores, boolean paper) {
         List<String> notes = new ArrayList<>();
         boolean evaluated = chooseEvaluated(experiments, scores, notes);
-        noteUnfinished(experiments, notes);
-        List<Sample> samples = experiments.stream()
-                .map(e -> new Sample(e.label(), e.championScores(evaluated)))
-                .toList();
-        List<Sample> published = paper ? published(experiments) : List.of();
+        List<Sample> samples = new ArrayList<>();
+        List<ComparisonReport.PaperSample> published = new ArrayList<>();
+        PublishedResults results = PublishedResults.read();
+        for (Experiment experiment : experiments) {
+            noteLeftOut(experiment, evaluated, notes);
+            double[] ofRuns = experiment.championScores(evaluated);
+            if (ofRuns.length > 0) {
+                samples.add(new Sample(experiment.label(), ofRuns));
+            }
+            if (paper) {
+                addPublished(experiment, evaluated && ofRuns.length > 0, results, published, notes);
+            }
+        }
         if (!published.isEmpty() && !evaluated) {
             notes.add("The paper's scores are averages of 1,000 games; the last generation's are the best of few games."
-                    + " Run evaluate before you read anything into the difference.");
+                    + " A verdict needs evaluated champions: run evaluate.");
         }
         return new ExperimentComparison(version, evaluated, ComparisonReport.of(samples, published), notes);
     }
 
+    /** Whether to compare evaluations: if any finished run has one. */
     private static boolean chooseEvaluated(List<Experiment> experiments, Scores scores, List<String> notes) {
-        List<String> missing = experiments.stream()
-                .filter(e -> !e.isEvaluated())
-                .map(Experiment::label)
-                .toList();
         if (scores == Scores.TRAINING) {
             return false;
         }
-        if (missing.isEmpty()) {
-            return true;
-        }
-        if (scores == Scores.EVALUATION) {
-            throw new UserError("scores=evaluation: not every champion of " + String.join(", ", missing)
+        List<String> missing = experiments.stream()
+                .filter(experiment -> experiment.runs().stream().noneMatch(RunResult::isComparable))
+                .map(Experiment::label)
+                .toList();
+        if (scores == Scores.EVALUATION && !missing.isEmpty()) {
+            throw new UserError("scores=evaluation: no champion of a finished run of " + String.join(", ", missing)
                     + " was evaluated; run evaluate on it first");
         }
-        if (experiments.stream().allMatch(experiment -> experiment.version().isEmpty())) {
-            // evaluate plays Ms. Pac-Man.
-            notes.add("Scores are the best of the last generation: of few evaluations, and so too high.");
-            return false;
+        if (missing.size() < experiments.size()) {
+            return true;
         }
-        notes.add("Scores are the best of the last generation, of few games and so too high: not every"
-                + " champion of " + String.join(", ", missing) + " was evaluated. Run evaluate for 1,000 games each.");
+        // evaluate plays Ms. Pac-Man.
+        boolean canBeEvaluated = experiments.stream()
+                .anyMatch(experiment -> !experiment.version().isEmpty());
+        notes.add("Scores are the best of the last generation, of few games and so too high."
+                + (canBeEvaluated ? " Run evaluate for 1,000 games each." : ""));
         return false;
     }
 
-    /** Champions of runs that are still going on, or were stopped, are compared as they are; the reader must know. */
-    private static void noteUnfinished(List<Experiment> experiments, List<String> notes) {
-        for (Experiment experiment : experiments) {
-            List<RunResult> unfinished =
-                    experiment.runs().stream().filter(RunResult::isUnfinished).toList();
-            if (!unfinished.isEmpty()) {
-                notes.add(unfinished.size() + " of the " + experiment.runs().size() + " runs of " + experiment.label()
-                        + " are not finished (run " + unfinished.get(0).number() + " is in generation "
-                        + unfinished.get(0).generations() + " of "
-                        + unfinished.get(0).parameters().get("maxGens") + ").");
+    /** Lists the runs that are not compared, and why. */
+    private static void noteLeftOut(Experiment experiment, boolean evaluated, List<String> notes) {
+        List<String> leftOut = new ArrayList<>();
+        for (RunResult run : experiment.runs()) {
+            if (run.isUnfinished()) {
+                leftOut.add("run " + run.number() + " (not finished: generation " + run.generations() + " of "
+                        + run.parameters().get("maxGens") + ")");
+            } else if (evaluated && run.evaluation().isEmpty()) {
+                leftOut.add("run " + run.number() + " (not evaluated)");
             }
+        }
+        if (!leftOut.isEmpty()) {
+            notes.add("Left out of " + experiment.label() + ": " + String.join(", ", leftOut) + ".");
         }
     }
 
-    private static List<Sample> published(List<Experiment> experiments) {
-        PublishedResults results = PublishedResults.read();
-        List<Sample> samples = new ArrayList<>();
-        for (Experiment experiment : experiments) {
-            double[] scores = results.champions(experiment.version(), experiment.method()).stream()
-                    .mapToDouble(PublishedResults.Champion::averageScore)
-                    .toArray();
-            if (scores.length > 0) {
-                samples.add(new Sample(experiment.label(), scores));
-            }
+    private static void addPublished(
+            Experiment experiment,
+            boolean canBeCompared,
+            PublishedResults results,
+            List<ComparisonReport.PaperSample> published,
+            List<String> notes) {
+        if (experiment.isVariant()) {
+            notes.add(experiment.label() + " is a variant of the paper's " + MethodName.paper(experiment.method())
+                    + " (" + differences(experiment) + ") and is not compared with the paper.");
+            return;
         }
-        return samples;
+        double[] scores = results.champions(experiment.version(), experiment.paperMethod()).stream()
+                .mapToDouble(PublishedResults.Champion::averageScore)
+                .toArray();
+        if (scores.length > 0) {
+            published.add(new ComparisonReport.PaperSample(
+                    new Sample(experiment.label(), scores), canBeCompared, differences(experiment)));
+        }
+    }
+
+    /** The parameters that are not the paper's, with both values; empty if there are none. */
+    private static String differences(Experiment experiment) {
+        Map<String, String> ours = experiment.runs().get(0).parameters();
+        return experiment.differencesFromPaper().entrySet().stream()
+                .map(entry -> entry.getKey() + "=" + ours.get(entry.getKey()) + ", in the paper " + entry.getValue())
+                .collect(Collectors.joining("; "));
     }
 
     /**

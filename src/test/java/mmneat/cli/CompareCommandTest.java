@@ -21,6 +21,13 @@ class CompareCommandTest extends CommandTest {
         }
     }
 
+    private static void evaluate(Path base, String version, int runs) throws IOException {
+        for (int run = 0; run < runs; run++) {
+            RunFixture.evaluation(base.resolve(version + "/1M" + run), 9000 + run, 1);
+            RunFixture.evaluation(base.resolve(version + "/2M" + run), 15000 + 10 * run, 1, 2);
+        }
+    }
+
     @Test
     void twoMethods_areCompared_andWrittenAsCsvAndLatex() throws IOException {
         twoMethods();
@@ -44,6 +51,8 @@ class CompareCommandTest extends CommandTest {
             RunFixture.run(base, "isolated", "1M", run, 100, 40000 + run);
             RunFixture.run(base, "isolated", "2M", run, 100, 42000 + run);
         }
+        evaluate(base, "blended", 8);
+        evaluate(base, "isolated", 8);
         Path csv = base.resolve("pairs.csv");
         assertThat(execute(
                         "compare",
@@ -54,11 +63,11 @@ class CompareCommandTest extends CommandTest {
                 .isZero();
         assertThat(out.toString())
                 .containsSubsequence(
-                        "evolution, blended task",
+                        "games after evolution, blended task",
                         "df = 1",
                         "blended 1M - blended 2M",
                         "(2 comparisons)",
-                        "evolution, isolated task",
+                        "games after evolution, isolated task",
                         "df = 1",
                         "isolated 1M - isolated 2M",
                         "(2 comparisons)")
@@ -70,13 +79,58 @@ class CompareCommandTest extends CommandTest {
     @Test
     void paper_standsBesideOurs_withAVerdict() throws IOException {
         twoMethods();
+        evaluate(base, "blended", 8);
         assertThat(execute("compare", base.resolve("blended").toString(), "paper=true"))
                 .isZero();
         assertThat(out.toString())
                 .contains("1M (paper)")
                 .contains("2M (paper)")
                 .contains("Ours against the paper's champions (2 comparisons)")
-                .containsPattern("2M .*(no difference shown|ours lower)");
+                .containsPattern("2M .*(no difference shown|ours lower) +maxGens=1, in the paper 200");
+    }
+
+    @Test
+    void paper_withoutEvaluatedRuns_hasNoVerdict_andTheTableSaysWhatIsMissing() throws IOException {
+        twoMethods();
+        assertThat(execute("compare", base.resolve("blended").toString(), "paper=true"))
+                .isZero();
+        assertThat(out.toString())
+                .contains("(0 comparisons)")
+                .containsPattern("2M +- +- +- +- +- +none: no evaluated run")
+                .contains("A verdict needs evaluated champions: run evaluate.")
+                .doesNotContainPattern("no difference shown|ours lower|ours higher");
+    }
+
+    @Test
+    void runsThatAreNotFinishedOrNotEvaluated_areListedAndLeftOut() throws IOException {
+        twoMethods();
+        evaluate(base, "blended", 7);
+        Path unfinished = base.resolve("blended/2M0/parameters.properties");
+        Files.writeString(unfinished, Files.readString(unfinished).replace("maxGens=1", "maxGens=200"));
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString())
+                .contains("games after evolution")
+                .containsPattern("1M +7 +9,003")
+                .containsPattern("2M +6 +15,035")
+                .contains("Left out of 1M: run 7 (not evaluated).")
+                .contains("Left out of 2M: run 0 (not finished: generation 1 of 200), run 7 (not evaluated).");
+    }
+
+    @Test
+    void variant_isComparedWithOurs_butNotWithThePaper() throws IOException {
+        twoMethods();
+        evaluate(base, "blended", 8);
+        for (int run = 0; run < 8; run++) {
+            Path parameters = base.resolve("blended/2M" + run + "/parameters.properties");
+            Files.writeString(parameters, Files.readString(parameters) + "mmdRate=0.2\n");
+            Files.move(base.resolve("blended/2M" + run), base.resolve("blended/2Mplus-" + run));
+        }
+        assertThat(execute("compare", base.resolve("blended").toString(), "paper=true"))
+                .isZero();
+        assertThat(out.toString())
+                .contains("1M - 2Mplus ")
+                .contains("(1 comparison)")
+                .doesNotContain("2Mplus (paper)");
     }
 
     @Test

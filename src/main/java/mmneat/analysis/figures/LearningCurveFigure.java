@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.IntStream;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.MethodName;
@@ -35,14 +34,14 @@ public final class LearningCurveFigure {
                 panel.curve(
                         theirs,
                         MethodStyle.PAPER,
-                        MethodStyle.of(experiments.get(i).method(), i).stroke(1.3f));
+                        MethodStyle.of(experiments, i).stroke(1.3f));
             }
         }
         double[] ends = new double[experiments.size()];
         List<String> names = names(experiments);
         List<Key> keys = new ArrayList<>();
         for (int i = 0; i < experiments.size(); i++) {
-            MethodStyle style = MethodStyle.of(experiments.get(i).method(), i);
+            MethodStyle style = MethodStyle.of(experiments, i);
             double[] medians = quantiles(experiments.get(i), 0.5);
             panel.curve(medians, style.color(), style.stroke(2.2f));
             ends[i] = medians[medians.length - 1];
@@ -61,7 +60,7 @@ public final class LearningCurveFigure {
                     names.get(i),
                     last + Math.max(1, last) * 0.012,
                     places[i],
-                    MethodStyle.of(experiment.method(), i).color());
+                    MethodStyle.of(experiments, i).color());
         }
         return new Figure(
                 LearningCurveFigure.prefix(version) + "medians",
@@ -80,7 +79,7 @@ public final class LearningCurveFigure {
         List<Panel> panels = new ArrayList<>();
         for (int i = 0; i < experiments.size(); i++) {
             Experiment experiment = experiments.get(i);
-            MethodStyle style = MethodStyle.of(experiment.method(), i);
+            MethodStyle style = MethodStyle.of(experiments, i);
             Panel panel = new Panel(
                     experiment.label() + ", "
                             + Numbers.counted(experiment.runs().size(), "run"),
@@ -111,14 +110,9 @@ public final class LearningCurveFigure {
                 keys);
     }
 
-    /** What stands beside the curves: the methods, where these tell them apart. */
+    /** The labels beside the curves. */
     private static List<String> names(List<Experiment> experiments) {
-        List<String> methods = experiments.stream()
-                .map(experiment -> MethodName.paper(experiment.method()))
-                .toList();
-        return Set.copyOf(methods).size() == methods.size()
-                ? methods
-                : experiments.stream().map(Experiment::label).toList();
+        return experiments.stream().map(Experiment::label).toList();
     }
 
     static String prefix(String version) {
@@ -171,7 +165,7 @@ public final class LearningCurveFigure {
     }
 
     private static double[] published(PublishedResults paper, Experiment experiment, int last) {
-        double[] curve = paper.medianCurve(experiment.version(), experiment.method());
+        double[] curve = paper.medianCurve(experiment.version(), experiment.paperMethod());
         return Arrays.copyOf(curve, Math.min(curve.length, last + 1));
     }
 }

@@ -8,15 +8,19 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.PublishedResults;
+import mmneat.analysis.results.RunResult;
 
 /** The paper's Figures 5b, 7b and 8b: each champion's average score against the share of its most-used module. */
 public final class ModuleUseFigure {
 
     private ModuleUseFigure() {}
 
-    /** The figure, one panel per method; empty if not every champion was evaluated. */
-    public static Optional<Figure> of(String version, List<Experiment> experiments, PublishedResults paper) {
-        if (!experiments.stream().allMatch(Experiment::isEvaluated)) {
+    /** The figure, one panel per experiment that has an evaluated run; empty if none has. */
+    public static Optional<Figure> of(String version, List<Experiment> all, PublishedResults paper) {
+        List<Experiment> experiments = all.stream()
+                .filter(experiment -> experiment.runs().stream().anyMatch(RunResult::isComparable))
+                .toList();
+        if (experiments.isEmpty()) {
             return Optional.empty();
         }
         List<Panel> panels = new ArrayList<>();
@@ -25,12 +29,12 @@ public final class ModuleUseFigure {
         boolean published = false;
         for (int i = 0; i < experiments.size(); i++) {
             Experiment experiment = experiments.get(i);
-            MethodStyle style = MethodStyle.of(experiment.method(), i);
+            MethodStyle style = MethodStyle.of(all, all.indexOf(experiment));
             Panel panel = new Panel(
                     experiment.label(),
                     "Champion's average score",
                     i % Figure.columns(experiments.size()) == 0 ? "Most-used module, % of steps" : "");
-            List<PublishedResults.Champion> champions = paper.champions(experiment.version(), experiment.method());
+            List<PublishedResults.Champion> champions = paper.champions(experiment.version(), experiment.paperMethod());
             double[] theirs = champions.stream()
                     .mapToDouble(PublishedResults.Champion::averageScore)
                     .toArray();
@@ -43,6 +47,7 @@ public final class ModuleUseFigure {
             }
             double[] scores = experiment.championScores(true);
             double[] shares = experiment.runs().stream()
+                    .filter(RunResult::isComparable)
                     .mapToDouble(run -> run.evaluation().orElseThrow().mostUsedModulePercent())
                     .toArray();
             panel.points(scores, shares, style);

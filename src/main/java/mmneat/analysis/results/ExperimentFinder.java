@@ -16,11 +16,12 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.PublishedTask;
+import mmneat.experiment.run.ExperimentView;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * Finds the experiments that a user means by a path: {@code results/blended} is every method in it, {@code results/blended/2M}
- * all runs 2M0, 2M1, ..., and the folder of a run is that run.
+ * Finds the experiments that a user means by a path: {@code results} is every experiment in the folders below it,
+ * {@code results/blended} every method in it, {@code results/blended/2M} all runs 2M0, 2M1, ..., and the folder of a run that run.
  */
 public final class ExperimentFinder {
 
@@ -57,9 +58,23 @@ public final class ExperimentFinder {
         if (!Files.isDirectory(path)) {
             return ofStem(path);
         }
-        return RunReader.isRun(path)
-                ? List.of(path)
-                : folders(path).stream().filter(RunReader::isRun).toList();
+        if (RunReader.isRun(path)) {
+            return List.of(path);
+        }
+        List<Path> found = new ArrayList<>();
+        addRunsBelow(path, ExperimentView.DEPTH, found);
+        return found;
+    }
+
+    /** Adds the runs in a folder, and in the folders below it. Runs hold no runs. */
+    private static void addRunsBelow(Path parent, int depth, List<Path> found) {
+        for (Path folder : folders(parent)) {
+            if (RunReader.isRun(folder)) {
+                found.add(folder);
+            } else if (depth > 1) {
+                addRunsBelow(folder, depth - 1, found);
+            }
+        }
     }
 
     /** {@code results/blended/2M} is no folder itself, but what 2M0, 2M1, ... begin with. */
@@ -77,8 +92,9 @@ public final class ExperimentFinder {
     }
 
     private static Map<Path, List<RunResult>> group(List<Path> folders) {
-        Map<Path, List<RunResult>> groups = new TreeMap<>(
-                Comparator.<Path>comparingInt(ExperimentFinder::paperOrder).thenComparing(Comparator.naturalOrder()));
+        Map<Path, List<RunResult>> groups = new TreeMap<>(Comparator.comparing(ExperimentFinder::parentName)
+                .thenComparingInt(ExperimentFinder::paperOrder)
+                .thenComparing(Comparator.naturalOrder()));
         for (Path folder : folders) {
             RunResult run = RunReader.read(folder);
             groups.computeIfAbsent(stem(folder, run), key -> new ArrayList<>()).add(run);
@@ -95,6 +111,10 @@ public final class ExperimentFinder {
         return folder.resolveSibling(stem.isEmpty() ? name : stem);
     }
 
+    private static String parentName(Path stem) {
+        return String.valueOf(stem.toAbsolutePath().getParent());
+    }
+
     private static int paperOrder(Path stem) {
         List<String> order = List.of("1M", "MT", "MT2", "MT3", "MMD", "3M", "2M");
         int place = order.indexOf(stem.getFileName().toString());
@@ -103,7 +123,7 @@ public final class ExperimentFinder {
 
     private static Experiment experiment(Path stem, List<RunResult> runs) {
         Map<String, String> parameters = runs.get(0).parameters();
-        String name = stem.getFileName().toString();
+        String name = folderName(stem);
         String version =
                 PublishedTask.version(parameters).map(TaskVersion::label).orElse("");
         if (version.isEmpty() && stem.toAbsolutePath().getParent() != null) {
@@ -118,11 +138,9 @@ public final class ExperimentFinder {
     /** The shortest label that tells all apart: the method, the version and the method, the folder's name, or the folder. */
     private static List<Experiment> withLabels(List<Experiment> experiments, List<Path> stems) {
         List<Function<Integer, String>> labels = List.of(
-                i -> MethodName.paper(experiments.get(i).method()),
-                i -> (experiments.get(i).version() + " "
-                                + MethodName.paper(experiments.get(i).method()))
-                        .strip(),
-                i -> stems.get(i).getFileName().toString(),
+                i -> name(experiments.get(i), stems.get(i)),
+                i -> (experiments.get(i).version() + " " + name(experiments.get(i), stems.get(i))).strip(),
+                i -> folderName(stems.get(i)),
                 i -> stems.get(i).toString());
         for (Function<Integer, String> label : labels) {
             List<String> all = Stream.iterate(0, i -> i + 1)
@@ -139,6 +157,18 @@ public final class ExperimentFinder {
             }
         }
         throw new IllegalStateException("two experiments have the folder " + stems);
+    }
+
+    /** The paper's name of the method; the folder's name for a variant, which the paper does not have. */
+    private static String name(Experiment experiment, Path stem) {
+        return experiment.isVariant() ? folderName(stem) : experiment.paperMethod();
+    }
+
+    /** The folder's name without the sign that separates it from the number of the run. */
+    private static String folderName(Path stem) {
+        String name = stem.getFileName().toString();
+        String shortened = name.replaceAll("[-_]+$", "");
+        return shortened.isEmpty() ? name : shortened;
     }
 
     private static List<Path> folders(Path parent) {

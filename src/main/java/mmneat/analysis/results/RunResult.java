@@ -35,6 +35,11 @@ public record RunResult(
         return championScores.length - 1;
     }
 
+    /** Whether the run is finished and its champion was evaluated: only then does its score stand beside others. */
+    public boolean isComparable() {
+        return !isUnfinished() && evaluation.isPresent();
+    }
+
     /** Whether fewer generations were evolved than its parameters ask for. */
     public boolean isUnfinished() {
         String asked = parameters.getOrDefault("maxGens", "");

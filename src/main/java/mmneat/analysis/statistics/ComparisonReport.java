@@ -1,6 +1,7 @@
 package mmneat.analysis.statistics;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -18,30 +19,41 @@ public final class ComparisonReport {
     private final Comparison comparison;
     private final List<Sample> samples;
     private final List<Comparison.Pair> againstPaper;
-    private final List<Sample> paper;
+    private final List<PaperSample> paper;
 
-    private ComparisonReport(Comparison comparison, List<Sample> samples, List<Sample> paper) {
+    /**
+     * A group of the paper beside one of ours.
+     *
+     * @param sample its scores, with the label of our group
+     * @param isComparable whether our group has scores of the same kind: without them there is no test
+     * @param differences how the parameters of our group differ from the paper's; empty if they do not
+     */
+    public record PaperSample(Sample sample, boolean isComparable, String differences) {}
+
+    private ComparisonReport(Comparison comparison, List<Sample> samples, List<PaperSample> paper) {
         this.comparison = comparison;
         this.samples = List.copyOf(samples);
         this.paper = List.copyOf(paper);
         List<PairwiseTest> tests = new ArrayList<>();
-        for (Sample theirs : paper) {
-            Sample ours = samples.stream()
-                    .filter(sample -> sample.label().equals(theirs.label()))
-                    .findFirst()
-                    .orElseThrow();
-            tests.add(PairwiseTest.of(ours, theirs));
+        for (PaperSample theirs : paper) {
+            if (theirs.isComparable) {
+                Sample ours = samples.stream()
+                        .filter(sample -> sample.label().equals(theirs.sample.label()))
+                        .findFirst()
+                        .orElseThrow();
+                tests.add(PairwiseTest.of(ours, theirs.sample));
+            }
         }
         againstPaper = Comparison.bonferroni(tests);
     }
 
     /**
-     * A report of one or more groups.
+     * A report of any number of groups.
      *
      * @param samples our groups, each with a label of its own
-     * @param paper the paper's groups, each with the label of the group of ours that it stands beside; empty if not wanted
+     * @param paper the paper's groups; empty if not wanted
      */
-    public static ComparisonReport of(List<Sample> samples, List<Sample> paper) {
+    public static ComparisonReport of(List<Sample> samples, List<PaperSample> paper) {
         return new ComparisonReport(samples.size() < 2 ? null : Comparison.of(samples), samples, paper);
     }
 
@@ -49,8 +61,8 @@ public final class ComparisonReport {
     public TextTable groups() {
         TextTable table = new TextTable("method", "runs", "median", "95 % interval", "mean", "sd", "min", "max");
         samples.forEach(sample -> groupRow(table, sample.label(), sample));
-        for (Sample sample : paper) {
-            groupRow(table, sample.label() + " (paper)", sample);
+        for (PaperSample theirs : paper) {
+            groupRow(table, theirs.sample.label() + " (paper)", theirs.sample);
         }
         return table;
     }
@@ -71,7 +83,9 @@ public final class ComparisonReport {
     /** The Kruskal-Wallis test in one line. */
     public String overall() {
         if (comparison == null) {
-            return "One group only: nothing to compare it with.";
+            return samples.isEmpty()
+                    ? "No group: no run has a score that can be compared."
+                    : "One group only: nothing to compare it with.";
         }
         KruskalWallis test = comparison.kruskalWallis();
         return "Kruskal-Wallis: H = " + Numbers.decimal(test.h(), 3) + ", df = " + test.degreesOfFreedom() + ", p = "
@@ -85,8 +99,15 @@ public final class ComparisonReport {
 
     /** One row per group that the paper has: ours against the paper's. */
     public TextTable againstPaper() {
-        TextTable table = new TextTable("method", "U", "p", "corrected p", "A", "effect", "verdict");
-        for (Comparison.Pair pair : againstPaper) {
+        TextTable table =
+                new TextTable("method", "U", "p", "corrected p", "A", "effect", "verdict", "not as in the paper");
+        Iterator<Comparison.Pair> tested = againstPaper.iterator();
+        for (PaperSample theirs : paper) {
+            if (!theirs.isComparable) {
+                table.row(theirs.sample.label(), "-", "-", "-", "-", "-", "none: no evaluated run", theirs.differences);
+                continue;
+            }
+            Comparison.Pair pair = tested.next();
             PairwiseTest test = pair.test();
             table.row(
                     test.a(),
@@ -95,7 +116,8 @@ public final class ComparisonReport {
                     Numbers.probability(pair.corrected()),
                     Numbers.decimal(test.effectSize(), 3),
                     test.magnitude(),
-                    verdict(pair));
+                    verdict(pair),
+                    theirs.differences);
         }
         return table;
     }

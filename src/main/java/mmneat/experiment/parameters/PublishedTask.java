@@ -1,8 +1,12 @@
 package mmneat.experiment.parameters;
 
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
@@ -12,6 +16,10 @@ public final class PublishedTask {
 
     private static final String GAME_CLASS = "MsPacManTask";
     private static final String ISOLATED_CLASS = "MsPacManPillsVsEdibleFromCornersMultitask";
+
+    /** Groups of parameters that do not change an evolution. */
+    private static final Set<String> NOT_OF_THE_EVOLUTION =
+            Set.of("Everyday", "Run control", "Post-evaluation and display");
 
     private PublishedTask() {}
 
@@ -79,6 +87,40 @@ public final class PublishedTask {
             return startingModes == 1 ? Optional.of("MMD") : Optional.empty();
         }
         return Optional.of(startingModes + "M");
+    }
+
+    /**
+     * The parameters of a run that differ from those of the published experiment with the same version and method. Parameters that
+     * do not change the evolution (files, seeds, threads) are not compared, nor are those that the run does not name.
+     *
+     * @param version of the task
+     * @param method a method with which the version was published
+     * @param parameters of the run, by name
+     * @return the published value of each parameter that differs, by name, in the order of the catalogue
+     */
+    public static Map<String, String> differences(TaskVersion version, String method, Map<String, String> parameters) {
+        ParameterCatalogue catalogue = ParameterCatalogue.load();
+        Parameters published = new ParameterReader(catalogue)
+                .read(List.of("task=" + version.label(), "method=" + method))
+                .parameters();
+        Map<String, String> differences = new LinkedHashMap<>();
+        for (Parameter parameter : catalogue.all()) {
+            String name = parameter.name();
+            String value = parameters.get(name);
+            boolean isCompared = parameter.support() == Parameter.Support.YES
+                    && (!NOT_OF_THE_EVOLUTION.contains(parameter.group()) || name.equals("maxGens"))
+                    && !name.equals("task")
+                    && !name.equals(Tasks.GHOST_LOCATIONS);
+            if (isCompared && value != null && !value.equals(published.text(name))) {
+                differences.put(name, published.text(name));
+            }
+        }
+        return differences;
+    }
+
+    /** Whether one of the parameters is among those that make a method: another value makes a method of its own. */
+    public static boolean changesTheMethod(Collection<String> names) {
+        return !Collections.disjoint(names, PublishedConfigurations.namesOfMethods());
     }
 
     /**

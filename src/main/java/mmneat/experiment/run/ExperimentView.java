@@ -37,7 +37,7 @@ import mmneat.experiment.store.RunView;
 public record ExperimentView(String name, Path base, List<RunView> runs) {
 
     /** How deep below the folder that is looked at the folders of runs may lie. */
-    private static final int DEPTH = 5;
+    public static final int DEPTH = 5;
 
     private static final String ASKED = ".runs.json";
 

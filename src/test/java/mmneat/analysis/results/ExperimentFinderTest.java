@@ -119,10 +119,46 @@ class ExperimentFinderTest {
         Path folder = RunFixture.run(base, "blended", "2M", 0, 10, 20);
         RunFixture.evaluation(folder, 4321.5, 900, 100);
         Experiment experiment = ExperimentFinder.find(List.of(folder)).get(0);
-        assertThat(experiment.isEvaluated()).isTrue();
+        assertThat(experiment.runs().get(0).isComparable()).isTrue();
         assertThat(experiment.championScores(true)).containsExactly(4321.5);
         assertThat(experiment.runs().get(0).evaluation().orElseThrow().mostUsedModulePercent())
                 .isEqualTo(90);
+    }
+
+    @Test
+    void folderOfExperiments_isEveryExperimentBelowIt() throws IOException {
+        RunFixture.run(base.resolve("results"), "blended", "2M", 0, 1);
+        RunFixture.run(base.resolve("results/more"), "isolated", "1M", 0, 1);
+        assertThat(ExperimentFinder.find(List.of(base.resolve("results"))))
+                .extracting(Experiment::label)
+                .containsExactly("2M", "1M");
+    }
+
+    @Test
+    void variantOfAMethod_hasTheNameOfItsFolder_andIsNotThePapersMethod() throws IOException {
+        Path variant = RunFixture.run(base, "blended", "MMD", 0, 1);
+        Path parameters = variant.resolve("parameters.properties");
+        Files.writeString(parameters, Files.readString(parameters).replace("mmdRate=0.1", "mmdRate=0.2"));
+        Files.move(variant, base.resolve("blended/MMD02-0"));
+        assertThat(ExperimentFinder.find(List.of(base.resolve("blended"))))
+                .singleElement()
+                .satisfies(experiment -> {
+                    assertThat(experiment.label()).isEqualTo("MMD02");
+                    assertThat(experiment.isVariant()).isTrue();
+                    assertThat(experiment.paperMethod()).isEmpty();
+                    assertThat(experiment.differencesFromPaper()).containsEntry("mmdRate", "0.1");
+                });
+    }
+
+    @Test
+    void bestRun_isTheBestEvaluated_orWithoutEvaluationsTheBestWhenChosen() throws IOException {
+        RunFixture.run(base, "blended", "2M", 0, 100, 5000, 100);
+        RunFixture.run(base, "blended", "2M", 1, 100, 300, 9000);
+        Path evaluated = RunFixture.run(base, "blended", "2M", 2, 100, 200, 200);
+        List<Path> folder = List.of(base.resolve("blended"));
+        assertThat(ExperimentFinder.find(folder).get(0).best().number()).isZero();
+        RunFixture.evaluation(evaluated, 50, 1);
+        assertThat(ExperimentFinder.find(folder).get(0).best().number()).isEqualTo(2);
     }
 
     @Test
