@@ -63,7 +63,7 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
      *
      * @param division names the module of each step for a multitask network; if null, the published division of full games
      *     with as many modules
-     * @throws IllegalArgumentException if the network has neither 26 nor 30 inputs
+     * @throws IllegalArgumentException if the network has neither 26, 30 nor 38 inputs
      */
     public static NetworkPacMan published(Genotype network, ModuleDivision division, long tieSeed) {
         return new NetworkPacMan(
@@ -75,13 +75,15 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
     }
 
     private static SensorSettings publishedSensors(int inputs) {
-        for (SensorSettings settings : new SensorSettings[] {SensorSettings.blended(), SensorSettings.imprisoned()}) {
+        for (SensorSettings settings :
+                new SensorSettings[] {SensorSettings.blended(), SensorSettings.imprisoned(), SensorSettings.split()}) {
             if (SensorSuite.of(settings).size() == inputs) {
                 return settings;
             }
         }
-        throw new IllegalArgumentException("the network has " + inputs
-                + " inputs; networks of the published experiments have 30 (blended) or 26 (interleaved, isolated)");
+        throw new IllegalArgumentException(
+                "the network has " + inputs
+                        + " inputs; networks of the published experiments have 30 (blended), 26 (interleaved, isolated) or 38 (split sensors)");
     }
 
     private static ModuleDivision publishedDivision(Genotype network) {

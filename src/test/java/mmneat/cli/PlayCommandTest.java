@@ -447,18 +447,19 @@ class PlayCommandTest extends CommandTest {
     @Test
     void championOfARun_sensesAsTheRunSays() throws IOException {
         Path run = RunFixture.run(folder, "blended", "2M", 0, 1000);
-        Files.writeString(run.resolve("parameters.properties"), "specific=true\n", StandardOpenOption.APPEND);
+        Files.writeString(
+                run.resolve("parameters.properties"), "specific=true\njunctionsToSense=2\n", StandardOpenOption.APPEND);
         ModuleLayout layout = ModuleLayout.withPreferenceNeurons(2, 1);
         Path network = Files.writeString(
                 run.resolve("champion.json"),
-                GenotypeJson.write(new InitialNetworks(38, layout).create(0, new ResumableRandom(3))));
+                GenotypeJson.write(new InitialNetworks(39, layout).create(0, new ResumableRandom(3))));
         assertThat(execute("play", "pacman=" + run, "games=2")).isZero();
         assertThat(out.toString()).startsWith(run + " against Legacy, 2 games");
         String score = scoreLine();
         assertThat(execute("play", "pacman=" + network, "games=2")).isZero();
         assertThat(scoreLine()).isEqualTo(score);
         Path alone = Files.copy(network, folder.resolve("alone.json"));
-        assertMistake("the network has 38 inputs; networks of the published", "play", "pacman=" + alone);
+        assertMistake("the network has 39 inputs; networks of the published", "play", "pacman=" + alone);
         assertMistake("there is no champion in this folder", "play", "pacman=" + folder);
     }
 

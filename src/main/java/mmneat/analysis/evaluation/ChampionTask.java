@@ -11,6 +11,8 @@ import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.TaskVersion;
+import mmneat.mspacman.sensors.SensorSettings;
+import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.Genotype;
 
 /** Finds the task of a champion: that of its run, or the published one that its network suits. */
@@ -36,6 +38,9 @@ final class ChampionTask {
             TaskVersion task = version.orElseGet(() -> version(champion));
             words.add("task=" + task.label());
             words.add("method=" + method(champion.genotype(), task));
+            if (hasSplitSensors(champion)) {
+                words.addAll(List.of("specificGhostEdibleThreatSplit=true", "specificGhostProximityOrder=false"));
+            }
         }
         ghostLocations.ifPresent(file -> words.add(Tasks.GHOST_LOCATIONS + "=" + file));
         Task task = Tasks.factory(new ParameterReader(ParameterCatalogue.load())
@@ -65,7 +70,16 @@ final class ChampionTask {
     /** The version that a champion was evolved in, or the one that has as many sensors. */
     static TaskVersion version(Champion champion) {
         return PublishedTask.version(champion.parameters())
-                .orElse(champion.genotype().inputs() == BLENDED_INPUTS ? TaskVersion.BLENDED : TaskVersion.INTERLEAVED);
+                .orElse(
+                        champion.genotype().inputs() == BLENDED_INPUTS || hasSplitSensors(champion)
+                                ? TaskVersion.BLENDED
+                                : TaskVersion.INTERLEAVED);
+    }
+
+    /** Whether a network has as many inputs as those of the experiments with split sensors, of any version. */
+    private static boolean hasSplitSensors(Champion champion) {
+        return champion.genotype().inputs()
+                == SensorSuite.of(SensorSettings.split()).size();
     }
 
     /** Of the method only the division of a multitask network matters here. */

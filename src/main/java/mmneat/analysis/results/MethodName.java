@@ -7,9 +7,9 @@ public final class MethodName {
 
     private MethodName() {}
 
-    /** The paper's name: MM(D) for MMD, otherwise the same. */
+    /** The paper's name: MM(D) for MMD, MM(R) for MMR, otherwise the same. */
     public static String paper(String method) {
-        return method.equals("MMD") ? "MM(D)" : method;
+        return method.equals("MMD") ? "MM(D)" : method.equals("MMR") ? "MM(R)" : method;
     }
 
     /** A version of the task as a heading, or an empty text for a task of the user's own. */

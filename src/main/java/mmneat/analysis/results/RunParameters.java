@@ -20,7 +20,7 @@ public final class RunParameters {
     /** What others read as numbers. */
     private static final List<String> WHOLE_NUMBERS = List.of("runNumber", "startingModes", "multitaskModes");
 
-    private static final List<String> NUMBERS = List.of("mmdRate");
+    private static final List<String> NUMBERS = List.of("mmdRate", "mmrRate");
 
     private RunParameters() {}
 

@@ -160,7 +160,7 @@ public final class ParameterReader {
     private Map<String, String> file(String name, boolean forGames, List<String> remarks) {
         Map<String, String> layer;
         try {
-            String text = text(Files.readAllBytes(Path.of(name)));
+            String text = text(bytes(name));
             List<String> lines = text.lines().toList();
             if (OriginalParameterFile.isOne(lines)) {
                 OriginalParameterFile file = OriginalParameterFile.of(lines, catalogue);
@@ -188,6 +188,18 @@ public final class ParameterReader {
     private boolean concernsUnsupportedEvolution(Map.Entry<String, String> entry) {
         Optional<Parameter> parameter = catalogue.find(entry.getKey()).filter(known -> !known.decidesGames());
         return parameter.isPresent() && !parameter.get().accepts(entry.getValue());
+    }
+
+    /** The content of a file, or of the packed one with this name. */
+    private static byte[] bytes(String name) throws IOException {
+        Path file = Path.of(name);
+        if (Files.notExists(file)) {
+            Optional<byte[]> packed = PublishedConfigurations.packed(name);
+            if (packed.isPresent()) {
+                return packed.get();
+            }
+        }
+        return Files.readAllBytes(file);
     }
 
     /** What a file says, in UTF-8, with or without the mark that some editors put first. */

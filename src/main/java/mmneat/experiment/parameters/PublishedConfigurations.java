@@ -9,7 +9,9 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import mmneat.experiment.UserError;
@@ -23,6 +25,8 @@ public final class PublishedConfigurations {
 
     /** All methods, in the paper's order; each version has those that it has a file for. */
     static final List<String> METHODS = List.of("1M", "2M", "3M", "MMD", "MT", "MT2", "MT3");
+
+    private static final Pattern PLAIN_NAME = Pattern.compile("[\\w-]+(/[\\w-]+)*");
 
     private PublishedConfigurations() {}
 
@@ -55,6 +59,25 @@ public final class PublishedConfigurations {
 
     private static String resource(TaskVersion version, String method) {
         return "/configs/" + version.label() + "/" + method + ".properties";
+    }
+
+    /**
+     * The text of a packed file of an experiment, ours or of another paper.
+     *
+     * @param name with or without the folder {@code configs} and the ending, for example {@code tciaig-2016/blended-split/MMD}
+     * @return empty if there is no such file
+     */
+    static Optional<byte[]> packed(String name) {
+        String plain = name.replaceFirst("^configs/", "").replaceFirst("\\.properties$", "");
+        if (!PLAIN_NAME.matcher(plain).matches()) {
+            return Optional.empty();
+        }
+        try (InputStream stream =
+                PublishedConfigurations.class.getResourceAsStream("/configs/" + plain + ".properties")) {
+            return stream == null ? Optional.empty() : Optional.of(stream.readAllBytes());
+        } catch (IOException e) {
+            throw new UncheckedIOException("the packed file " + plain + " cannot be read", e);
+        }
     }
 
     /** The parameters in which the methods of a version differ. */

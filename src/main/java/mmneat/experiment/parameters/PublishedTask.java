@@ -83,8 +83,12 @@ public final class PublishedTask {
         if (multitaskModes > 1) {
             return Optional.of(multitask(version(parameters), multitaskModes));
         }
-        if (Double.parseDouble(parameters.getOrDefault("mmdRate", "0")) > 0) {
-            return startingModes == 1 ? Optional.of("MMD") : Optional.empty();
+        boolean duplicates = Double.parseDouble(parameters.getOrDefault("mmdRate", "0")) > 0;
+        boolean links = Double.parseDouble(parameters.getOrDefault("mmrRate", "0")) > 0;
+        if (duplicates || links) {
+            return startingModes == 1 && duplicates != links
+                    ? Optional.of(duplicates ? "MMD" : "MMR")
+                    : Optional.empty();
         }
         return Optional.of(startingModes + "M");
     }

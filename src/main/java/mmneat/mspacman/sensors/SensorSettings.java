@@ -62,6 +62,14 @@ public record SensorSettings(
         return new SensorSettings(IMPRISONED, 1, 30, 200, 10, List.of());
     }
 
+    /**
+     * The 38 sensors of the published experiments with separate sensors for threats and for edible ghosts, the same in all versions
+     * of the task. Source: docs/specification/original-options.md, section 1.
+     */
+    public static SensorSettings split() {
+        return imprisoned().with(SensorGroup.NEAREST_OF_EACH_KIND).without(SensorGroup.NEAREST_GHOSTS);
+    }
+
     /** Whether a group of sensors is there. */
     boolean has(SensorGroup group) {
         return groups.contains(group);

@@ -45,7 +45,7 @@ class GoldenSensorsTest {
     private static SensorSettings settings(String options) {
         SensorSettings split = SensorSettings.blended().with(SensorGroup.NEAREST_OF_EACH_KIND);
         return switch (options) {
-            case "split" -> split.without(SensorGroup.NEAREST_GHOSTS).without(SensorGroup.EDIBLE);
+            case "split" -> SensorSettings.split();
             case "split-and-order" -> split;
             case "etime-specific" -> timesOfNumberedGhosts(SensorSettings.blended());
             case "all" -> timesOfNumberedGhosts(split);
