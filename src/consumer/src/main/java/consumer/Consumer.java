@@ -36,7 +36,8 @@ public final class Consumer {
             network.activate(new double[] {1}, random);
             return Evaluation.of(new int[genotype.modules()], -Math.abs(wanted - network.policyOutput(0)));
         });
-        Individual champion = Evolution.of(task).populationSize(20).generations(40).run().champion(task);
+        Individual champion =
+                Evolution.of(task).populationSize(20).generations(40).run().champion(task);
         return wanted + champion.evaluation().objectives()[0];
     }
 
