@@ -54,7 +54,7 @@ class CodeOfFoldersTest extends CommandTest {
                 List.of("report", "RUN", "out=OUT.html"),
                 List.of("play", "pacman=RUN", "view=false"),
                 List.of("network", "RUN", "format=svg", "out=OUT.svg"),
-                List.of("network", "RUN"),
+                List.of("network", "RUN", "out=-"),
                 List.of("tasks", "players=RUN", "games=1"),
                 List.of("record-ghosts", "RUN", "out=OUT.txt"),
                 List.of("compare", "RUN"),
