@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import mmneat.contest.ContestResult.Repetition;
 import mmneat.contest.GamePlay.Outcome;
@@ -24,6 +25,9 @@ public final class Contest {
 
     /** Lines of a stack trace that are shown; one of endless recursion has a thousand. */
     private static final int TRACE_LINES = 25;
+
+    private static final Pattern OUR_FRAME = Pattern.compile(
+            "^\\tat (app//)?(mmneat|picocli|pacman\\.(UntimedRun|Executor))\\b|Suppressed: pacman\\.ControllerFailure");
 
     private final ContestSettings settings;
     private final PrintWriter notes;
@@ -96,14 +100,22 @@ public final class Contest {
         String what =
                 failure.thrown().isPresent() ? failure.controller() + " threw an exception" : failure.sentence() + ",";
         notes.println("mmneat: " + what + " " + failure.place());
-        failure.thrown().map(Contest::trace).ifPresent(notes::println);
+        if (settings.timing() == Timing.NONE) {
+            // In a timed game Java has printed it, from the controller's thread.
+            failure.thrown().map(Contest::trace).ifPresent(notes::println);
+        }
         notes.flush();
     }
 
+    /** The stack trace without the frames of this program that lead to the controller. */
     private static String trace(Throwable thrown) {
         StringWriter text = new StringWriter();
         thrown.printStackTrace(new PrintWriter(text, true));
-        return text.toString().lines().limit(TRACE_LINES).collect(Collectors.joining(System.lineSeparator()));
+        return text.toString()
+                .lines()
+                .filter(line -> !OUR_FRAME.matcher(line).find())
+                .limit(TRACE_LINES)
+                .collect(Collectors.joining(System.lineSeparator()));
     }
 
     private void tellProgress(int number) {
