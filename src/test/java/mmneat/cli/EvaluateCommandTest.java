@@ -21,6 +21,6 @@ class EvaluateCommandTest extends CommandTest {
         int code = execute("evaluate", run.toString(), champion.toString(), "games=3");
         assertThat(errors.toString()).isEmpty();
         assertThat(code).isZero();
-        assertThat(run.resolve("evaluation-training.csv")).content().hasLineCount(2 + 3);
+        assertThat(run.resolve("evaluation-training.csv")).content().hasLineCount(1 + 3);
     }
 }

@@ -83,7 +83,8 @@ public final class ChampionEvaluator implements AutoCloseable {
             summary = place.resolve(prefix + RunLayout.evaluationSummary(rules.label()));
             file = new EvaluationFile(table);
             long[] seeds = seeds(games);
-            results = new ArrayList<>(file.begin(title(champion, settings), ChampionEvaluator.this::seeds));
+            results = new ArrayList<>(
+                    file.begin(name(champion, settings), champion.genotype().modules(), ChampionEvaluator.this::seeds));
             found.addAndGet(Math.min(games, results.size()));
             for (int first = results.size(); first < games; first += BLOCK) {
                 int from = first;
@@ -97,16 +98,16 @@ public final class ChampionEvaluator implements AutoCloseable {
             return RunLayout.isNamedAsChampion(champion.file());
         }
 
-        private String title(Champion champion, MsPacManTaskSettings settings) {
-            return networkTitle(champion) + ", "
-                    + settings.version().label() + " task, " + rules.label()
-                    + " rules, seed " + seed + ghostLocations(settings);
+        private String name(Champion champion, MsPacManTaskSettings settings) {
+            return networkName(champion) + "; "
+                    + settings.version().label() + " task; " + rules.label()
+                    + " rules; seed " + seed + ghostLocations(settings);
         }
 
         /** Isolated games depend on the recording too. */
         private String ghostLocations(MsPacManTaskSettings settings) {
             return settings.version() == TaskVersion.ISOLATED
-                    ? ", ghost locations "
+                    ? "; ghost locations "
                             + Integer.toHexString(
                                     settings.rules().ghosts().ghostLocations().hashCode())
                     : "";
@@ -195,10 +196,10 @@ public final class ChampionEvaluator implements AutoCloseable {
         }
     }
 
-    /** How the title of a table of games begins. */
-    private static String networkTitle(Champion champion) {
+    /** How the last column of a table of games begins. */
+    private static String networkName(Champion champion) {
         int fingerprint = GenotypeJson.write(champion.genotype()).hashCode();
-        return "# evaluation of network " + champion.genotype().id() + " (" + Integer.toHexString(fingerprint) + ")";
+        return "network " + champion.genotype().id() + " (" + Integer.toHexString(fingerprint) + ")";
     }
 
     /**
@@ -212,11 +213,11 @@ public final class ChampionEvaluator implements AutoCloseable {
             return Optional.empty();
         }
         List<String> lines = Files.readAllLines(table);
-        if (lines.isEmpty() || !lines.get(0).startsWith(networkTitle(champion))) {
+        if (lines.size() < 2 || !lines.get(1).contains("," + networkName(champion) + ";")) {
             return Optional.empty();
         }
         List<GameResult> results = lines.stream()
-                .skip(2)
+                .skip(1)
                 .map(GameResult::parse)
                 .sorted(Comparator.comparingDouble(GameResult::score).thenComparingInt(GameResult::number))
                 .toList();

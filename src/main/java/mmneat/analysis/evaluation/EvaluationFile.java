@@ -26,6 +26,9 @@ final class EvaluationFile implements AutoCloseable {
     private final Path file;
     private final FileChannel channel;
 
+    /** The last column of every line; set by {@link #begin}. */
+    private String evaluation = "";
+
     /**
      * Opens the file, which is made if need be.
      *
@@ -61,14 +64,16 @@ final class EvaluationFile implements AutoCloseable {
      * off is dropped.
      *
      * @param seeds gives the seeds of the first games of the evaluation, as many as are asked for
-     * @param title first line, names what is evaluated
+     * @param name says which network plays by which rules; the last column of every line
+     * @param modules of the network
      */
-    List<GameResult> begin(String title, IntFunction<long[]> seeds) {
+    List<GameResult> begin(String name, int modules, IntFunction<long[]> seeds) {
+        evaluation = name;
         try {
             String found = new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8);
-            List<GameResult> games = readable(found, title, seeds);
-            String head = title + '\n' + GameResult.HEADER + '\n';
-            String kept = head + lines(games);
+            String header = GameResult.header(modules);
+            List<GameResult> games = readable(found, header, seeds);
+            String kept = header + '\n' + lines(games);
             if (!found.startsWith(kept)) {
                 channel.truncate(0);
                 write(kept);
@@ -82,16 +87,19 @@ final class EvaluationFile implements AutoCloseable {
         }
     }
 
-    private static List<GameResult> readable(String text, String title, IntFunction<long[]> seeds) {
+    private List<GameResult> readable(String text, String header, IntFunction<long[]> seeds) {
         List<GameResult> games = new ArrayList<>();
         // What stands behind the last line end was cut off.
         List<String> lines =
                 text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
-        if (lines.size() < 2 || !lines.get(0).equals(title) || !lines.get(1).equals(GameResult.HEADER)) {
+        if (lines.isEmpty() || !lines.get(0).equals(header)) {
             return games;
         }
-        long[] expected = seeds.apply(lines.size() - 2);
-        for (String line : lines.subList(2, lines.size())) {
+        long[] expected = seeds.apply(lines.size() - 1);
+        for (String line : lines.subList(1, lines.size())) {
+            if (!line.endsWith("," + evaluation)) {
+                return new ArrayList<>();
+            }
             GameResult game = GameResult.parse(line);
             if (game.seed() != expected[games.size()]) {
                 return new ArrayList<>();
@@ -109,9 +117,9 @@ final class EvaluationFile implements AutoCloseable {
         }
     }
 
-    private static String lines(List<GameResult> games) {
+    private String lines(List<GameResult> games) {
         StringBuilder text = new StringBuilder();
-        games.forEach(game -> text.append(game.line()).append('\n'));
+        games.forEach(game -> text.append(game.line(evaluation)).append('\n'));
         return text.toString();
     }
 

@@ -2,7 +2,9 @@ package mmneat.analysis.evaluation;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import mmneat.mspacman.GameEnd;
 import mmneat.mspacman.ModuleUse;
 
@@ -32,39 +34,57 @@ public record GameResult(
         int maze,
         List<long[]> moduleUse) {
 
-    static final String HEADER = "game,seed,score,ghosts,pills,levels,steps,end,maze,"
-            + Arrays.stream(ModuleUse.When.values())
-                    .map(when -> "modules "
-                            + when.name().toLowerCase(java.util.Locale.ROOT).replace('_', ' '))
-                    .collect(Collectors.joining(","));
+    /** Columns before those of the modules. */
+    private static final String GAME_COLUMNS = "game,seed,score,ghosts,pills,levels,steps,end,maze";
 
-    /** The game as a line of CSV; counts of modules are separated by blanks. */
-    String line() {
+    private static final int GAME_COLUMN_COUNT = GAME_COLUMNS.split(",").length;
+
+    /**
+     * The header line of a table of games.
+     *
+     * @param modules of the network that plays
+     */
+    static String header(int modules) {
+        String counts = Arrays.stream(ModuleUse.When.values())
+                .flatMap(when -> IntStream.range(0, modules)
+                        .mapToObj(module -> when.name().toLowerCase(Locale.ROOT) + "_module_" + (module + 1)))
+                .collect(Collectors.joining(","));
+        return GAME_COLUMNS + "," + counts + ",evaluation";
+    }
+
+    /**
+     * The game as a line of CSV.
+     *
+     * @param evaluation says of which network and settings the game is; without commas
+     */
+    String line(String evaluation) {
         return number + "," + seed + "," + number(score) + "," + number(ghosts) + "," + number(pills) + "," + levels
                 + ","
                 + steps + "," + end + "," + "ABCD".charAt(maze) + ","
-                + moduleUse.stream().map(GameResult::counts).collect(Collectors.joining(","));
+                + moduleUse.stream()
+                        .flatMapToLong(Arrays::stream)
+                        .mapToObj(Long::toString)
+                        .collect(Collectors.joining(","))
+                + "," + evaluation;
     }
 
     private static String number(double value) {
         return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
     }
 
-    private static String counts(long[] counts) {
-        return Arrays.stream(counts).mapToObj(Long::toString).collect(Collectors.joining(" "));
-    }
-
     /**
-     * Reads a line that {@link #line} wrote.
+     * Reads a line that {@link #line} made.
      *
      * @throws IllegalArgumentException if it is not one
      */
     static GameResult parse(String line) {
         String[] fields = line.split(",", -1);
-        int first = fields.length - ModuleUse.When.values().length;
-        if (first != 9) {
+        int situations = ModuleUse.When.values().length;
+        int counts = fields.length - GAME_COLUMN_COUNT - 1;
+        if (counts < situations || counts % situations != 0) {
             throw new IllegalArgumentException("not the line of a game: " + line);
         }
+        int modules = counts / situations;
         return new GameResult(
                 Integer.parseInt(fields[0]),
                 Long.parseLong(fields[1]),
@@ -75,8 +95,10 @@ public record GameResult(
                 Long.parseLong(fields[6]),
                 GameEnd.valueOf(fields[7]),
                 "ABCD".indexOf(fields[8]),
-                Arrays.stream(fields, first, fields.length)
-                        .map(counts -> Arrays.stream(counts.split(" "))
+                IntStream.range(0, situations)
+                        .mapToObj(situation -> Arrays.stream(fields)
+                                .skip(GAME_COLUMN_COUNT + (long) situation * modules)
+                                .limit(modules)
                                 .mapToLong(Long::parseLong)
                                 .toArray())
                         .toList());
