@@ -24,6 +24,11 @@ public final class PlainText {
                 });
     }
 
+    /** The text without the blanks and tabs before and behind it. */
+    public static String trimmed(String text) {
+        return text.replaceAll("^[ \t]+|[ \t]+$", "");
+    }
+
     /** The text on one line, with a question mark for each character that is neither plain nor a tab. */
     public static String shown(String text) {
         StringBuilder shown = new StringBuilder(text);

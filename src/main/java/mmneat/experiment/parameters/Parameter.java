@@ -60,7 +60,7 @@ public record Parameter(
      * @throws UserError naming the parameter, the value and what is allowed
      */
     public String check(String text) {
-        PlainText.require(name, text);
+        PlainText.require(name, PlainText.trimmed(text));
         String canonical;
         try {
             canonical = allowed.spelled(type.canonical(text));

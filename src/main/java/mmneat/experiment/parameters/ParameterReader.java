@@ -1,11 +1,11 @@
 package mmneat.experiment.parameters;
 
 import java.io.IOException;
-import java.io.StringReader;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -167,7 +167,7 @@ public final class ParameterReader {
                 layer = new LinkedHashMap<>(file.values());
                 file.remark(name).ifPresent(remarks::add);
             } else {
-                layer = PropertiesFile.read(new StringReader(text));
+                layer = PropertiesFile.read(text);
             }
             if (forGames) {
                 layer.entrySet().removeIf(this::concernsUnsupportedEvolution);
@@ -219,7 +219,7 @@ public final class ParameterReader {
     /** A file that is meant to stand beside the parameter file, as in a run's folder; otherwise the name as it is. */
     private static String besideFile(String parameterFile, String name) {
         Path beside = Path.of(parameterFile).resolveSibling(name);
-        return !name.isEmpty() && Files.isRegularFile(beside) ? beside.toString() : name;
+        return !name.isEmpty() && Files.isRegularFile(beside, LinkOption.NOFOLLOW_LINKS) ? beside.toString() : name;
     }
 
     private Map<String, String> preset(String task, String method) {

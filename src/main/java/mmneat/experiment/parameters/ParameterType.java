@@ -1,6 +1,7 @@
 package mmneat.experiment.parameters;
 
 import java.util.Locale;
+import mmneat.experiment.PlainText;
 
 /** The kinds of values that parameters have. */
 public enum ParameterType {
@@ -33,7 +34,7 @@ public enum ParameterType {
             case LONG -> Long.toString(Long.parseLong(text));
             case BOOLEAN -> canonicalBoolean(text);
             case DOUBLE -> Double.toString(Double.parseDouble(text.strip()));
-            case TEXT -> text;
+            case TEXT -> PlainText.trimmed(text);
             case CLASS -> canonicalClass(text);
         };
     }

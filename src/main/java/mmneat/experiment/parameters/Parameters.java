@@ -53,8 +53,8 @@ public final class Parameters {
         layer.forEach((name, text) -> {
             if (name.startsWith(OwnTask.PREFIX)) {
                 PlainText.require("the name of a parameter", name);
-                PlainText.require(name, text);
-                newOfOwnTask.put(name.substring(OwnTask.PREFIX.length()), text);
+                PlainText.require(name, PlainText.trimmed(text));
+                newOfOwnTask.put(name.substring(OwnTask.PREFIX.length()), PlainText.trimmed(text));
             } else {
                 newValues.put(name, catalogue.require(name).check(text));
                 newGiven.add(name);

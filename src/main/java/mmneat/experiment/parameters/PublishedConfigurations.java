@@ -2,7 +2,6 @@ package mmneat.experiment.parameters;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Collection;
@@ -49,7 +48,8 @@ public final class PublishedConfigurations {
                 throw new UserError("method=" + method + " does not go with task=" + version.label()
                         + "; its methods are " + String.join(", ", methodsOf(version)));
             }
-            Map<String, String> settings = PropertiesFile.read(new InputStreamReader(stream, StandardCharsets.UTF_8));
+            Map<String, String> settings =
+                    PropertiesFile.read(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
             settings.keySet().removeAll(Set.of("task", "method"));
             return settings;
         } catch (IOException e) {

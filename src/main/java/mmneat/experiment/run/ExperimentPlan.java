@@ -1,5 +1,6 @@
 package mmneat.experiment.run;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -8,6 +9,7 @@ import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.Parameters;
 import mmneat.experiment.parameters.PublishedTask;
+import mmneat.experiment.store.RunLayout;
 import mmneat.mspacman.TaskVersion;
 
 /**
@@ -19,6 +21,9 @@ import mmneat.mspacman.TaskVersion;
  * @param runs the runs, by ascending number
  */
 public record ExperimentPlan(Parameters parameters, String name, Path base, List<RunPlan> runs) {
+
+    /** The limit of common file systems, in bytes. */
+    private static final int LONGEST_NAME = 255;
 
     public ExperimentPlan {
         runs = List.copyOf(runs);
@@ -44,8 +49,9 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
         String saveTo = parameters.isGiven("saveTo") ? parameters.text("saveTo") : method;
         // Experiments that differ in the names of their runs must not share the files of all runs.
         String label =
-                parameters.isGiven("saveTo") ? saveTo.replaceAll("[-_]+$", "").replace('/', '-') : method;
+                parameters.isGiven("saveTo") ? saveTo.replaceAll("[-_]+$", "").replaceAll("[/\\\\]", "-") : method;
         String log = parameters.isGiven("log") ? parameters.text("log") : task + "-" + label;
+        requireNames(saveTo, log, numbers.get(numbers.size() - 1), parameters);
         Parameters placed = parameters.with("base", base).with("saveTo", saveTo).with("log", log);
         List<RunPlan> runs = numbers.stream()
                 .map(number -> new RunPlan(
@@ -56,6 +62,27 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
                                 .with("randomSeed", oneSeed ? parameters.text("randomSeed") : number)))
                 .toList();
         return new ExperimentPlan(placed, log, Path.of(base), runs);
+    }
+
+    /** Makes sure that the files of the last run can have their names: hours later it would be too late to tell. */
+    private static void requireNames(String saveTo, String log, int lastRun, Parameters parameters) {
+        if (log.matches(".*[/\\\\].*")) {
+            throw new UserError("log=" + log + ": names of files begin with it, so it must not contain / or \\;"
+                    + " base=FOLDER says where they are");
+        }
+        int ending = RunLayout.longestEnding(parameters.integer("maxGens"));
+        boolean isTooLong = bytes(log + lastRun + "_") + ending > LONGEST_NAME
+                || Stream.of((saveTo + lastRun).split("[/\\\\]")).anyMatch(part -> bytes(part) > LONGEST_NAME);
+        if (isTooLong) {
+            String name =
+                    parameters.isGiven("log") || !parameters.isGiven("saveTo") ? "log=" + log : "saveTo=" + saveTo;
+            throw new UserError(
+                    name + ": too long; the names of the run's files would have more than " + LONGEST_NAME + " bytes");
+        }
+    }
+
+    private static int bytes(String name) {
+        return name.getBytes(StandardCharsets.UTF_8).length;
     }
 
     private static List<Integer> numbers(Parameters parameters) {

@@ -20,7 +20,7 @@ import java.util.TreeSet;
 public final class DurableFiles {
 
     /** What a file is called while it is being written; a leftover of a crash is overwritten by the next attempt. */
-    private static final String UNFINISHED = ".unfinished";
+    static final String UNFINISHED = ".unfinished";
 
     private DurableFiles() {}
 

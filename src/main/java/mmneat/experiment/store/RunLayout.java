@@ -155,6 +155,22 @@ public final class RunLayout {
         return prefix + population + "_other_scores_gen" + generation + ".txt";
     }
 
+    /**
+     * The length of the longest name that a file may have behind its prefix, in characters, all of one byte.
+     *
+     * @param generations number of generations that the run has
+     */
+    public static int longestEnding(int generations) {
+        return Stream.of(
+                        otherScores("", PARENTS, generations),
+                        evaluationReport("", Long.MAX_VALUE),
+                        "AVG_" + plot("", NETWORKS),
+                        "_learning-curve.svg")
+                .mapToInt(name -> (name + DurableFiles.UNFINISHED).length())
+                .max()
+                .orElseThrow();
+    }
+
     /** The original's report on an evaluation of the network with this id. */
     public static String evaluationReport(String prefix, long network) {
         return log(prefix, "Eval-Net" + network);

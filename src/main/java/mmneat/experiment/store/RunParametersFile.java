@@ -1,9 +1,6 @@
 package mmneat.experiment.store;
 
-import com.fasterxml.jackson.dataformat.javaprop.JavaPropsMapper;
-import com.fasterxml.jackson.dataformat.javaprop.JavaPropsSchema;
 import java.io.IOException;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -53,14 +50,9 @@ public final class RunParametersFile {
     }
 
     public void write(Parameters parameters) throws IOException {
-        StringWriter text = new StringWriter();
-        text.write("# All parameters of this run. To make it again: config=<this file>\n");
-        try (var writer = new JavaPropsMapper()
-                .writer(JavaPropsSchema.emptySchema().withoutPathSeparator())
-                .writeValues(text)) {
-            writer.write(values(parameters));
-        }
-        DurableFiles.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+        String text = PropertiesFile.write(
+                values(parameters), "All parameters of this run. To make it again: config=<this file>");
+        DurableFiles.write(file, text.getBytes(StandardCharsets.UTF_8));
     }
 
     /**

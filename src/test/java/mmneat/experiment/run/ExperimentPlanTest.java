@@ -6,14 +6,19 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.store.RunParametersFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ExperimentPlanTest {
 
@@ -93,9 +98,10 @@ class ExperimentPlanTest {
             RunPlan run = plan(words).runs().get(0);
             RunParametersFile file = new RunParametersFile(folder);
             file.write(run.parameters());
-            RunPlan again = plan("config=" + folder.resolve("parameters.properties"))
-                    .runs()
-                    .get(0);
+            // Code of the user's own is named on the command line, whatever the file says.
+            List<String> named = new ArrayList<>(List.of("config=" + folder.resolve("parameters.properties")));
+            Stream.of(words).filter(word -> word.startsWith("jar=")).forEach(named::add);
+            RunPlan again = plan(named.toArray(String[]::new)).runs().get(0);
             file.requireSame(again.parameters());
             assertThat(again.number()).isEqualTo(run.number());
             assertThat(again.seed()).isEqualTo(run.seed());
@@ -134,5 +140,31 @@ class ExperimentPlanTest {
                                 .get(0)
                                 .parameters()))
                 .doesNotThrowAnyException();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "saveTo=%s, 225, saveTo",
+        "saveTo=%s, 256, saveTo",
+        "log=%s, 225, log",
+        "saveTo=%s log=x, 255, log",
+        "saveTo=sub/%s log=x, 255, log"
+    })
+    void namesThatAreTooLongForFiles_areRefused(String words, int length, String named) {
+        List<String> all = new ArrayList<>(List.of("task=blended", "runs=30"));
+        all.addAll(List.of(words.formatted("n".repeat(length)).split(" ")));
+        assertThatThrownBy(() -> ExperimentPlan.of(reader.read(all).parameters()))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining(named)
+                .hasMessageContaining("too long");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a/b", "/tmp/x", "..\\x", "\\u0000", "../x"})
+    void logWithAPath_isRefused(String log) {
+        assertThatThrownBy(() -> ExperimentPlan.of(
+                        reader.read(List.of("task=blended", "log=" + log)).parameters()))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("must not contain / or \\");
     }
 }
