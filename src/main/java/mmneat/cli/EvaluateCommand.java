@@ -183,7 +183,7 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
                     String.valueOf(evaluation.games()),
                     Numbers.score(evaluation.meanScore()),
                     Numbers.score(evaluation.standardDeviation()),
-                    Numbers.score(evaluation.low()) + " to " + Numbers.score(evaluation.high()),
+                    Numbers.interval(evaluation.low(), evaluation.high()),
                     Numbers.decimal(evaluation.mostUsedModulePercent(), 1) + " %",
                     Arrays.stream(evaluation.deathsByMaze())
                             .mapToObj(Long::toString)

@@ -37,19 +37,20 @@ final class EvaluationSummary {
         }
         // The sum of whole scores is exact, the running mean of the library is not.
         double mean = scores.getSum() / games.size();
-        double margin = games.size() < 2
-                ? 0
-                : new TDistribution(null, games.size() - 1.0).inverseCumulativeProbability((1 + LEVEL) / 2)
+        boolean hasDeviation = games.size() > 1;
+        double margin = hasDeviation
+                ? new TDistribution(null, games.size() - 1.0).inverseCumulativeProbability((1 + LEVEL) / 2)
                         * scores.getStandardDeviation()
-                        / Math.sqrt(games.size());
+                        / Math.sqrt(games.size())
+                : 0;
         return new ChampionEvaluation(
                 network,
                 rules.label(),
                 games.size(),
                 mean,
-                games.size() < 2 ? 0 : scores.getStandardDeviation(),
-                mean - margin,
-                mean + margin,
+                hasDeviation ? scores.getStandardDeviation() : null,
+                hasDeviation ? mean - margin : null,
+                hasDeviation ? mean + margin : null,
                 use,
                 deaths);
     }

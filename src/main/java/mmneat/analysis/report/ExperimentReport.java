@@ -151,11 +151,7 @@ public final class ExperimentReport {
             ChampionEvaluation evaluation = run.evaluation().orElse(null);
             cell(html, evaluation == null ? "-" : String.format(Locale.ROOT, "%,d", evaluation.games()));
             cell(html, evaluation == null ? "-" : Numbers.score(evaluation.meanScore()));
-            cell(
-                    html,
-                    evaluation == null
-                            ? "-"
-                            : Numbers.score(evaluation.low()) + " to " + Numbers.score(evaluation.high()));
+            cell(html, evaluation == null ? "-" : Numbers.interval(evaluation.low(), evaluation.high()));
             cell(html, evaluation == null ? "-" : Numbers.decimal(evaluation.mostUsedModulePercent(), 1) + " %");
             network(html, run, replays.apply(experiment, run));
             html.append("</tr>\n");

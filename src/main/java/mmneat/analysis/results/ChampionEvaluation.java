@@ -11,9 +11,9 @@ import java.util.List;
  * @param rules the rules that were played by: training, FourMaze or MPMvsG
  * @param games number of games (trials)
  * @param meanScore average game score
- * @param standardDeviation deviation of the game scores, with n - 1
- * @param low lower end of the 95 % confidence interval of the mean
- * @param high upper end
+ * @param standardDeviation deviation of the game scores, with n - 1; null for one game
+ * @param low lower end of the 95 % confidence interval of the mean; null for one game
+ * @param high upper end; null for one game
  * @param moduleUse for each {@link #SITUATIONS observation} how often each module was used
  * @param deathsByMaze games that ended by being caught in maze 0, 1, 2, 3
  */
@@ -22,9 +22,9 @@ public record ChampionEvaluation(
         String rules,
         int games,
         double meanScore,
-        double standardDeviation,
-        double low,
-        double high,
+        Double standardDeviation,
+        Double low,
+        Double high,
         List<long[]> moduleUse,
         long[] deathsByMaze) {
 
@@ -37,8 +37,57 @@ public record ChampionEvaluation(
             "ghost edible, at junctions",
             "no ghost edible, at junctions");
 
+    /** What a single game says nothing about is null; the first versions of the program wrote 0 and the mean. */
+    private static final int FEWEST_FOR_DEVIATION = 2;
+
+    private static final int MAZES = 4;
+
+    /**
+     * A checked evaluation: it may be from a file.
+     *
+     * @throws IllegalArgumentException if games cannot have these numbers; the message names the first
+     */
     public ChampionEvaluation {
+        require(games >= 1, "games", games);
+        require(Double.isFinite(meanScore), "meanScore", meanScore);
+        if (games < FEWEST_FOR_DEVIATION) {
+            require(standardDeviation == null || standardDeviation == 0, "standardDeviation", standardDeviation);
+            require(low == null || low == meanScore, "low", low);
+            require(high == null || high == meanScore, "high", high);
+            standardDeviation = null;
+            low = null;
+            high = null;
+        } else {
+            require(isFinite(standardDeviation) && standardDeviation >= 0, "standardDeviation", standardDeviation);
+            require(isFinite(low) && low <= meanScore, "low", low);
+            require(isFinite(high) && high >= meanScore, "high", high);
+        }
+        require(rules != null, "rules", rules);
+        require(
+                moduleUse != null && !moduleUse.isEmpty() && moduleUse.size() <= SITUATIONS.size(),
+                "moduleUse",
+                moduleUse);
+        for (long[] counts : moduleUse) {
+            boolean areCounts =
+                    counts != null && counts.length > 0 && Arrays.stream(counts).allMatch(count -> count >= 0);
+            require(areCounts && counts.length == moduleUse.get(0).length, "moduleUse", Arrays.toString(counts));
+        }
+        boolean areDeaths = deathsByMaze != null
+                && deathsByMaze.length == MAZES
+                && Arrays.stream(deathsByMaze).allMatch(count -> count >= 0)
+                && Arrays.stream(deathsByMaze).sum() <= games;
+        require(areDeaths, "deathsByMaze", Arrays.toString(deathsByMaze));
         moduleUse = List.copyOf(moduleUse);
+    }
+
+    private static boolean isFinite(Double value) {
+        return value != null && Double.isFinite(value);
+    }
+
+    private static void require(boolean isPossible, String name, Object value) {
+        if (!isPossible) {
+            throw new IllegalArgumentException(name + " cannot be " + value);
+        }
     }
 
     /** Share of the time steps in which the most-used module decided, in percent: the paper's figures. */

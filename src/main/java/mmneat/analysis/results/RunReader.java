@@ -1,8 +1,12 @@
 package mmneat.analysis.results;
 
 import com.fasterxml.jackson.core.JacksonException;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -19,6 +23,14 @@ import mmneat.experiment.store.SymbolicLinks;
  * Reads the folder of a run, ours or the original's: the champion's scores, the parameters, the evaluation.
  */
 public final class RunReader {
+
+    private static final ObjectMapper JSON = JsonMapper.builder()
+            .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+            .enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION)
+            .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+            .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
+            .build();
 
     private RunReader() {}
 
@@ -58,6 +70,9 @@ public final class RunReader {
             String[] fields = rows.get(i + headerLines).split(separator);
             try {
                 scores[i] = Double.parseDouble(fields[column - 1]);
+                if (!Double.isFinite(scores[i])) {
+                    throw new NumberFormatException(fields[column - 1]);
+                }
             } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
                 throw new UserError(
                         file + ", line " + (i + headerLines + 1) + ": no champion score in column " + column
@@ -102,9 +117,15 @@ public final class RunReader {
 
     private static <T> T json(Path file, Class<T> type, String remedy) {
         try {
-            return new ObjectMapper().readValue(file.toFile(), type);
+            T value = JSON.readValue(file.toFile(), type);
+            if (value == null) {
+                throw new UserError(file + ": is damaged (it is null)" + remedy);
+            }
+            return value;
         } catch (JacksonException e) {
-            throw new UserError(file + ": is damaged" + remedy, e);
+            String reason = e.getOriginalMessage().lines().findFirst().orElse("it is no JSON");
+            throw new UserError(
+                    file + ": is damaged (" + reason.replaceAll("^Cannot construct.*problem: ", "") + ")" + remedy, e);
         } catch (IOException e) {
             throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
         }

@@ -15,10 +15,13 @@ public record BootstrapInterval(double low, double high, double level) {
 
     private static final int RESAMPLES = 10_000;
 
-    /** The same sample, level and seed always give the same interval. */
+    /** The same sample, level and seed always give the same interval; that of a single value has the ends NaN. */
     public static BootstrapInterval ofMedian(Sample sample, double level, long seed) {
         if (!(level > 0 && level < 1)) {
             throw new IllegalArgumentException("the level of an interval is between 0 and 1, not " + level);
+        }
+        if (sample.size() < 2) {
+            return new BootstrapInterval(Double.NaN, Double.NaN, level);
         }
         ResumableRandom random = new ResumableRandom(seed);
         double[] values = sample.values();

@@ -73,7 +73,7 @@ public final class ComparisonReport {
                 label,
                 String.valueOf(sample.size()),
                 Numbers.score(sample.median()),
-                Numbers.score(interval.low()) + " to " + Numbers.score(interval.high()),
+                Numbers.interval(interval.low(), interval.high()),
                 Numbers.score(sample.mean()),
                 Numbers.score(sample.standardDeviation()),
                 Numbers.score(sample.quantile(0)),

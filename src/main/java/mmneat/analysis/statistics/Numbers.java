@@ -19,6 +19,16 @@ public final class Numbers {
                         .replaceFirst("\\.$", "");
     }
 
+    /** A score, or a dash for one that is undefined. */
+    public static String score(Double value) {
+        return score(value == null ? Double.NaN : value.doubleValue());
+    }
+
+    /** An interval of scores, or a dash for one that is undefined. */
+    public static String interval(Double low, Double high) {
+        return low == null || high == null || low.isNaN() ? "-" : score(low) + " to " + score(high);
+    }
+
     /** A number of things, "1 run" or "2 runs". */
     public static String counted(int count, String thing) {
         return count + " " + thing + (count == 1 ? "" : "s");
