@@ -10,6 +10,7 @@ import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.evaluation.ShippedChampions;
 import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.NetworkPacMan;
 import mmneat.mspacman.modules.ModuleDivision;
@@ -79,7 +80,9 @@ final class NetworkPlayer {
         if (champion.parametersFile().isEmpty()) {
             return () -> NetworkPacMan.published(champion.genotype(), division, seed);
         }
-        MsPacManTaskSettings task = PlayerSettings.of(champion, Optional.empty(), Rules.TRAINING, Optional.empty());
+        // Full games need no recorded ghost locations.
+        MsPacManTaskSettings task =
+                PlayerSettings.of(champion, Optional.empty(), Rules.TRAINING, Optional.of(Tasks.SHIPPED_LOCATIONS));
         return () -> NetworkPacMan.of(task, champion.genotype(), division, seed);
     }
 }

@@ -117,9 +117,10 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
     }
 
     private static boolean isPublished(Experiment experiment) {
-        return !PublishedResults.read()
-                .champions(experiment.version(), experiment.method())
-                .isEmpty();
+        return !experiment.isVariant()
+                && !PublishedResults.read()
+                        .champions(experiment.version(), experiment.paperMethod())
+                        .isEmpty();
     }
 
     private static String title(List<Experiment> experiments) {

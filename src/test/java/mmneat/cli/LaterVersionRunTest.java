@@ -112,6 +112,23 @@ class LaterVersionRunTest extends CommandTest {
     }
 
     @Test
+    void ghostLocationsOfAnotherMachine_areAskedFor_whereGamesNeedThem() throws IOException {
+        replaceParameter("task", "edu.southwestern.tasks.mspacman.MsPacManPillsVsEdibleFromCornersMultitask");
+        replaceParameter("imprisonedWhileEdible", "true");
+        replaceParameter("mazePowerPillGhostMapping", "data/pacman/PowerPillToGhostLocationMapping.txt");
+        Path champion = run.resolve("bestPacMan/bestPacMan.xml");
+        assertThat(execute("network", "champion=isolated", "format=xml", "out=" + champion))
+                .isZero();
+
+        assertThat(execute("play", "pacman=" + run)).as(errors.toString()).isZero();
+        assertMistake("are not there; give them with ghosts=FILE", "evaluate", run.toString(), "games=2");
+        Path locations = GoldenData.folder("ghost-locations").resolve("PowerPillToGhostLocationMapping.txt");
+        assertThat(execute("evaluate", run.toString(), "games=2", "ghosts=" + locations))
+                .as(errors.toString())
+                .isZero();
+    }
+
+    @Test
     void featureThatGamesNeed_isNamed_ifItIsMissing() throws IOException {
         replaceParameter("absenceNegative", "true");
 

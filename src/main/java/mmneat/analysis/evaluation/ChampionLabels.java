@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import mmneat.evolution.Task;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.PublishedTask;
+import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
@@ -29,7 +30,7 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
      */
     public static ChampionLabels of(Champion champion, Optional<TaskVersion> version) {
         try {
-            Task task = ChampionTask.of(champion, version, Optional.empty());
+            Task task = ChampionTask.of(champion, version, Optional.of(Tasks.SHIPPED_LOCATIONS));
             boolean guessed = version.isEmpty()
                     && !ChampionTask.isToldByRun(champion, version)
                     && PublishedTask.version(champion.parameters()).isEmpty();

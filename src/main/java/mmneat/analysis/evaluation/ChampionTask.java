@@ -1,5 +1,6 @@
 package mmneat.analysis.evaluation;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -32,6 +33,9 @@ final class ChampionTask {
     static Task of(Champion champion, Optional<TaskVersion> version, Optional<Path> ghostLocations) {
         List<String> words = new ArrayList<>();
         if (isToldByRun(champion, version)) {
+            if (ghostLocations.isEmpty()) {
+                requireRecording(champion);
+            }
             words.add("config=" + champion.parametersFile().get());
             champion.jar().ifPresent(jar -> words.add("jar=" + jar));
         } else {
@@ -53,6 +57,19 @@ final class ChampionTask {
                     + " sensors; name the right one with task=blended, interleaved or isolated");
         }
         return task;
+    }
+
+    /** Makes sure that the recording of ghost locations that the run used is still there: that of the original never is. */
+    private static void requireRecording(Champion champion) {
+        String file = champion.parameters().getOrDefault(Tasks.GHOST_LOCATIONS, "");
+        boolean isIsolated = PublishedTask.version(champion.parameters()).equals(Optional.of(TaskVersion.ISOLATED));
+        boolean isThere = file.isEmpty()
+                || Files.exists(Path.of(file))
+                || Files.exists(champion.parametersFile().get().resolveSibling(file));
+        if (isIsolated && !isThere) {
+            throw new UserError(champion.file() + ": the ghost locations of its run, " + file
+                    + ", are not there; give them with ghosts=FILE");
+        }
     }
 
     /** Whether the parameters of its run say what the champion's task is. */

@@ -19,6 +19,9 @@ public final class Tasks {
     /** The parameter that names a file of ghost locations; empty: those that come with the program. */
     public static final String GHOST_LOCATIONS = "mazePowerPillGhostMapping";
 
+    /** Instead of a file's name: the recording that comes with the program. */
+    public static final Path SHIPPED_LOCATIONS = Path.of("");
+
     private Tasks() {}
 
     /**
