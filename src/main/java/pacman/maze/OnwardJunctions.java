@@ -32,7 +32,7 @@ public final class OnwardJunctions {
     private static final int LANE_BITS = 16;
     private static final int FLAG = 0x8000;
 
-    /** In a lane without target: steps that nobody needs. */
+    /** In a lane without target: a number of steps that is never read. */
     private static final int NEVER = 0x3FFF;
 
     /** Numbers to compare with, as far as they are told apart. */
