@@ -10,9 +10,7 @@ import static pacman.game.GameSwitch.WITHOUT_PILLS;
 import static pacman.game.GameSwitch.WITHOUT_POWER_PILLS;
 
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
@@ -63,12 +61,9 @@ final class GameState {
             .mapToDouble(level -> Math.pow(Constants.EDIBLE_TIME_REDUCTION, level))
             .toArray();
 
-    /** Increment of the sequence of copies' seeds: an odd number near 2^64 divided by the golden ratio. */
-    private static final long COPY_INCREMENT = 0x9E3779B97F4A7C15L;
-
     final GameRules rules;
     final ResumableRandom random;
-    /** Start of the sequence of copies' seeds. */
+    /** From which the seeds of copies follow: {@link CopySeeds}. */
     private long copySeed;
     /** Copies made so far of this object. */
     private int copies;
@@ -153,11 +148,12 @@ final class GameState {
         start();
     }
 
-    private GameState(GameState other, ResumableRandom random, ResumableRandom shared) {
+    private GameState(GameState other, ResumableRandom random, ResumableRandom shared, long copySeed) {
         boolean complete = other.rules.conventions() == Conventions.COMPETITION;
         rules = other.rules;
         this.random = random;
         this.shared = shared;
+        this.copySeed = copySeed;
         history = null;
         tables = other.tables;
         graph = other.graph;
@@ -207,16 +203,12 @@ final class GameState {
             return snapshot();
         }
         long seed = nextCopySeed();
-        GameState copy = new GameState(this, new ResumableRandom(seed), null);
-        copy.copySeed = seed;
-        return copy;
+        return new GameState(this, new ResumableRandom(seed), null, seed);
     }
 
     /** A copy that continues the generators and counts for no copy: to be looked at, not to be handed to a controller. */
     GameState snapshot() {
-        GameState copy = new GameState(this, random.copy(), shared);
-        copy.copySeed = copySeed;
-        return copy;
+        return new GameState(this, random.copy(), shared, copySeed);
     }
 
     /** Sets a generator to where the next copy's would stand, and counts for that copy. */
@@ -228,16 +220,8 @@ final class GameState {
         }
     }
 
-    /**
-     * The finaliser of SplitMix64 (Steele, Lea and Flood 2014, doi:10.1145/2660193.2660195) over a counter. It mixes all bits,
-     * so that neighbouring copies have nothing in common; a generator keeps 48 of the 64, so that it does not tell the seed.
-     */
     private long nextCopySeed() {
-        copies++;
-        long mixed = copySeed + COPY_INCREMENT * (((long) totalTime << Integer.SIZE) + copies);
-        mixed = (mixed ^ mixed >>> 30) * 0xBF58476D1CE4E5B9L;
-        mixed = (mixed ^ mixed >>> 27) * 0x94D049BB133111EBL;
-        return mixed ^ mixed >>> 31;
+        return CopySeeds.of(copySeed, totalTime, ++copies);
     }
 
     /** Begins the game anew with the random numbers of a seed. */
@@ -282,8 +266,8 @@ final class GameState {
         // Pills are set before the switches, as by the original's constructor.
         switches = 0;
         enterMaze();
-        fillPills();
-        fillPowerPills();
+        LevelPills.fill(this);
+        LevelPills.fillPowerPills(this);
         resetPositions();
         applySwitches(rules.switches());
     }
@@ -321,7 +305,7 @@ final class GameState {
         } else if (rule == WITHOUT_POWER_PILLS) {
             powerPills = 0;
         } else if (rule == REMOVE_PILLS_NEAR_POWER_PILLS) {
-            removePillsNearPowerPills();
+            LevelPills.removeNearPowerPills(this);
         }
     }
 
@@ -336,42 +320,6 @@ final class GameState {
         poses = tables.poses();
     }
 
-    void fillPills() {
-        int count = graph.pillCount();
-        int words = graph.pillWords();
-        if (pills == null || pills.length != words) {
-            pills = new long[words];
-        }
-        if (has(WITHOUT_PILLS)) {
-            Arrays.fill(pills, 0);
-            pillsLeft = 0;
-            return;
-        }
-        Arrays.fill(pills, -1L);
-        pills[words - 1] = (1L << count) - 1;
-        pillsLeft = count;
-        if (rules.pills().preEatenPillPortion() > 0) {
-            removePreEaten(count);
-        }
-    }
-
-    /** The first pills of a shuffled list are missing. */
-    private void removePreEaten(int count) {
-        var numbers = IntStream.range(0, count).boxed().collect(Collectors.toList());
-        ResumableRandom source = drawsOfTheRun();
-        for (int i = count; i > 1; i--) {
-            Collections.swap(numbers, i - 1, source.nextInt(i));
-        }
-        for (int i = 0; i < (int) Math.floor(rules.pills().preEatenPillPortion() * count); i++) {
-            removePill(numbers.get(i));
-        }
-    }
-
-    void fillPowerPills() {
-        int count = graph.powerPillCount();
-        powerPills = has(WITHOUT_POWER_PILLS) || count == 0 ? 0 : -1L >>> (64 - count);
-    }
-
     boolean hasPill(int pill) {
         return pill >> 6 < pills.length && (pills[pill >> 6] >>> pill & 1) != 0;
     }
@@ -379,15 +327,6 @@ final class GameState {
     void removePill(int pill) {
         pills[pill >> 6] &= ~(1L << pill);
         pillsLeft--;
-    }
-
-    private void removePillsNearPowerPills() {
-        int left = 0;
-        for (int word = 0; word < pills.length; word++) {
-            pills[word] &= ~graph.pillsNearPowerPills(word);
-            left += Long.bitCount(pills[word]);
-        }
-        pillsLeft = left;
     }
 
     /** Everybody to the start, as at the beginning of a level and after a death. */
@@ -433,10 +372,10 @@ final class GameState {
             gameOver = true;
             return false;
         }
-        fillPills();
-        fillPowerPills();
+        LevelPills.fill(this);
+        LevelPills.fillPowerPills(this);
         if (has(REMOVE_PILLS_NEAR_POWER_PILLS)) {
-            removePillsNearPowerPills();
+            LevelPills.removeNearPowerPills(this);
         }
         resetPositions();
         return true;

@@ -178,8 +178,8 @@ final class StateText {
 
     private static void readPills(GameState state, String pills, String powerPills) {
         // As in the original all pills are set first, which draws random numbers under preEatenPillPortion.
-        state.fillPills();
-        state.fillPowerPills();
+        LevelPills.fill(state);
+        LevelPills.fillPowerPills(state);
         requireLength("pills", pills, state.graph.pillCount());
         requireLength("power pills", powerPills, state.graph.powerPillCount());
         Arrays.fill(state.pills, 0);
