@@ -51,7 +51,10 @@ final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (!Files.isDirectory(folder)) {
-            throw new UserError(folder + ": there is no such folder");
+            throw new UserError(folder
+                    + (Files.exists(folder)
+                            ? ": is a file; give the folder of a run or an experiment"
+                            : ": there is no such folder"));
         }
         Instant now = Instant.now();
         List<ExperimentView> experiments = ExperimentView.readAll(folder, now);

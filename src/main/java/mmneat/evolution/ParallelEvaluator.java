@@ -73,6 +73,9 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
             if (e.getCause() instanceof BadEvaluationException bad) {
                 throw bad;
             }
+            if (e.getCause() instanceof FailedEvaluationException failed) {
+                throw failed;
+            }
             throw new IllegalStateException("an evaluation failed in generation " + generation, e.getCause());
         } finally {
             pending.forEach(future -> future.cancel(true));

@@ -48,9 +48,9 @@ public final class SequentialEvaluator implements Evaluator {
         long start = nanoTime.getAsLong();
         // What happens to the run's generator must not depend on whether a deterministic task is evaluated again.
         ResumableRandom generator = task.isDeterministic() ? new ResumableRandom(genotype.id()) : random;
-        Evaluation evaluation = task.evaluate(genotype, generator);
-        long nanoseconds = nanoTime.getAsLong() - start;
         String whose = "genotype " + genotype.id() + " in generation " + generation;
+        Evaluation evaluation = evaluation(task, genotype, generator, whose);
+        long nanoseconds = nanoTime.getAsLong() - start;
         requireScores(whose, "objective", evaluation.objectives(), task.objectiveNames());
         requireScores(whose, "other score", evaluation.otherScores(), task.otherScoreNames());
         if (evaluation.moduleUsage().length != genotype.modules()) {
@@ -60,6 +60,20 @@ public final class SequentialEvaluator implements Evaluator {
                             + evaluation.moduleUsage().length + ": give one number for each module");
         }
         return Individual.of(genotype, evaluation, nanoseconds);
+    }
+
+    private static Evaluation evaluation(Task task, Genotype genotype, ResumableRandom generator, String whose) {
+        try {
+            Evaluation evaluation = task.evaluate(genotype, generator);
+            if (evaluation == null) {
+                throw new BadEvaluationException(whose + ": the task gave null instead of an evaluation");
+            }
+            return evaluation;
+        } catch (CancellationException | BadEvaluationException e) {
+            throw e;
+        } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
+            throw new FailedEvaluationException(whose, e);
+        }
     }
 
     /** Scores are what names say, and numbers that have a place in an order, in logs and in figures. */

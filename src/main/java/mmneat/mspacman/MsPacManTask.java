@@ -2,8 +2,10 @@ package mmneat.mspacman;
 
 import java.util.EnumMap;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.Evaluation.Outcomes;
+import mmneat.evolution.FailedEvaluationException;
 import mmneat.evolution.ScoreStatistic;
 import mmneat.evolution.Task;
 import mmneat.mspacman.objectives.GameScore;
@@ -130,7 +132,7 @@ public final class MsPacManTask implements Task {
             for (TrialGame setting : games) {
                 long seed = settings.deterministic() ? trial : random.nextLong();
                 Game game = new Game(seed, setting.rules(), random);
-                GameEnd end = play(setting, game, player, random, observer);
+                GameEnd end = playTrial(trial, setting, game, player, random, observer);
                 outcomes = outcomes.plus(outcome(game, end));
                 addScores(setting, game, trial, trialObjectives, trialOthers);
             }
@@ -143,6 +145,23 @@ public final class MsPacManTask implements Task {
                 aggregate(trialOthers, i -> others.get(i).statistic()),
                 player.rememberedModuleUsage(),
                 outcomes);
+    }
+
+    /** Plays; an exception, for example of a sensor of the user's own, names the trial. */
+    private GameEnd playTrial(
+            int trial,
+            TrialGame setting,
+            Game game,
+            DirectionEvaluator player,
+            ResumableRandom random,
+            EvaluationObserver observer) {
+        try {
+            return play(setting, game, player, random, observer);
+        } catch (CancellationException e) {
+            throw e;
+        } catch (RuntimeException e) {
+            throw new FailedEvaluationException("trial " + (trial + 1) + " of " + trials(), e);
+        }
     }
 
     private GameEnd play(

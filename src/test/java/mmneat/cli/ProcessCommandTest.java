@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ProcessCommandTest extends CommandTest {
 
@@ -57,6 +59,33 @@ class ProcessCommandTest extends CommandTest {
                 .isEqualTo(2);
 
         assertThat(errors.toString()).startsWith("mmneat: " + log + ", line 1: not a row of numbers: 0\t1.0\tmuch");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "0\t1\t2.0\t\n", "0\t1\tNaN\t\n1\t2\t1.0\t\n2\t3\t1.0\t\n3\t4\t1.0\t\n"})
+    void damagedScores_areNamed_insteadOfBeingSummarised(String content) throws IOException {
+        assertThat(execute(TASK, "base=" + base, "saveTo=A", "log=X", "mu=4", "maxGens=2", "quiet=true"))
+                .isZero();
+        Path scores = Files.writeString(base.resolve("A0/X0_parents_gen1.txt"), content);
+
+        assertMistake(scores + ": is damaged: ", "process", TASK, "base=" + base, "saveTo=A", "log=X");
+    }
+
+    @Test
+    void emptyLog_isNamed() throws IOException {
+        assertThat(execute(TASK, "base=" + base, "saveTo=A", "log=X", "mu=4", "maxGens=2", "quiet=true"))
+                .isZero();
+        Path log = Files.writeString(base.resolve("A0/X0_parents_log.txt"), "");
+
+        assertMistake(log + ": is damaged: it is empty", "process", TASK, "base=" + base, "saveTo=A", "log=X");
+    }
+
+    @Test
+    void statusOfAFile_saysSo() throws IOException {
+        Path file = base.resolve("notes.txt");
+        assertMistake(file + ": there is no such folder", "status", file.toString());
+        Files.writeString(file, "x");
+        assertMistake(file + ": is a file; give the folder of a run or an experiment", "status", file.toString());
     }
 
     private List<Double> hypervolumes(String file) throws IOException {

@@ -125,12 +125,17 @@ class EvolutionTest {
     void evaluationThatThrows_endsTheEvolution_withItsCause() {
         EvolutionSettings settings = settings(new SchafferTask(), 3, 2, Crowding.WHOLE_POPULATION);
         EvolutionState initial = EvolutionState.initial(settings);
-        Task throwing = new ConstantTask(null);
+        Task throwing = new ConstantTask(null) {
+            @Override
+            public Evaluation evaluate(Genotype genotype, ResumableRandom random) {
+                throw new ArithmeticException("broken");
+            }
+        };
         try (ParallelEvaluator evaluator = new ParallelEvaluator(() -> throwing, 2, 1)) {
             Evolution evolution = new Evolution(settings, initial, evaluator, new Recording());
             assertThatThrownBy(evolution::run)
-                    .hasMessage("an evaluation failed in generation 0")
-                    .hasRootCauseInstanceOf(NullPointerException.class);
+                    .hasMessage("genotype 1 in generation 0: java.lang.ArithmeticException: broken")
+                    .hasRootCauseInstanceOf(ArithmeticException.class);
         }
     }
 
@@ -348,7 +353,7 @@ class EvolutionTest {
     }
 
     /** Says the same of everybody. */
-    private static final class ConstantTask extends SmallTask {
+    private static class ConstantTask extends SmallTask {
         private final Evaluation evaluation;
 
         ConstantTask(Evaluation evaluation) {

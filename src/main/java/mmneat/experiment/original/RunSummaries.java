@@ -79,8 +79,12 @@ public final class RunSummaries {
             RunFolder folder = folderOf(run);
             int generations = rows(run, RunLayout.log("", RunLayout.CHILDREN)).size();
             StringBuilder lines = new StringBuilder();
+            int population = 0;
             for (int generation = 0; generation < generations; generation++) {
-                double[][] scores = rows(run, RunLayout.scores("", RunLayout.PARENTS, generation)).stream()
+                List<double[]> parents = rows(run, RunLayout.scores("", RunLayout.PARENTS, generation));
+                population = generation == 0 ? parents.size() : population;
+                requireScores(run, generation, parents, population);
+                double[][] scores = parents.stream()
                         .map(row -> Arrays.copyOfRange(row, 2, row.length))
                         .toArray(double[][]::new);
                 lines.append(generation).append('\t');
@@ -93,9 +97,23 @@ public final class RunSummaries {
         }
     }
 
+    /** Makes sure that a file of scores is whole: as many parents as in generation 0, and a finite score in each objective. */
+    private void requireScores(int run, int generation, List<double[]> parents, int population) {
+        int columns = 2 + task.objectiveNames().size();
+        boolean areWhole = parents.stream()
+                .allMatch(row -> row.length == columns && Arrays.stream(row).allMatch(Double::isFinite));
+        if (parents.isEmpty() || parents.size() != population || !areWhole) {
+            Path file = path(run, RunLayout.scores("", RunLayout.PARENTS, generation));
+            throw new UserError(file + ": is damaged: must have a row of " + columns
+                    + " finite numbers for each of the " + Math.max(1, population) + " parents, has " + parents.size()
+                    + (areWhole ? " such" : "") + " rows");
+        }
+    }
+
     /** Every column becomes two: mean and variance over the runs. */
     private void writeAverages(List<Integer> runs, String file) {
         List<List<double[]>> ofRuns = runs.stream().map(run -> rows(run, file)).toList();
+        requireSameColumns(runs, file, ofRuns);
         int common = ofRuns.stream().mapToInt(List::size).min().orElse(0);
         StringBuilder lines = new StringBuilder();
         for (int i = 0; i < common; i++) {
@@ -110,6 +128,21 @@ public final class RunSummaries {
             lines.append('\n');
         }
         output.write(log + "AVG_" + file, lines.toString());
+    }
+
+    private void requireSameColumns(List<Integer> runs, String file, List<List<double[]>> ofRuns) {
+        int columns = ofRuns.stream()
+                .flatMap(List::stream)
+                .findFirst()
+                .map(row -> row.length)
+                .orElse(0);
+        for (int i = 0; i < ofRuns.size(); i++) {
+            List<double[]> rows = ofRuns.get(i);
+            if (rows.isEmpty() || rows.stream().anyMatch(row -> row.length != columns)) {
+                throw new UserError(path(runs.get(i), file) + ": is damaged: "
+                        + (rows.isEmpty() ? "it is empty" : "its rows do not all have " + columns + " columns"));
+            }
+        }
     }
 
     private void writeHypervolumePlots(List<Integer> runs) {
@@ -172,9 +205,13 @@ public final class RunSummaries {
         return new RunFolder(base.resolve(saveTo + run), log + run + "_");
     }
 
-    private List<double[]> rows(int run, String file) {
+    private Path path(int run, String file) {
         RunFolder folder = folderOf(run);
-        Path path = folder.directory().resolve(folder.prefix() + file);
+        return folder.directory().resolve(folder.prefix() + file);
+    }
+
+    private List<double[]> rows(int run, String file) {
+        Path path = path(run, file);
         try {
             List<String> lines = Files.readAllLines(path);
             List<double[]> rows = new ArrayList<>(lines.size());

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
@@ -201,8 +202,17 @@ record GameParameters(
         return Stream.of(ownSensors.split(","))
                 .map(String::strip)
                 .filter(name -> !name.isEmpty())
-                .map(name -> classes.make("ownSensors", name, Sensor.class))
+                .map(name -> labelled(name, classes.make("ownSensors", name, Sensor.class)))
                 .toList();
+    }
+
+    private static Sensor labelled(String name, Sensor sensor) {
+        String label = sensor.label();
+        if (label == null) {
+            throw new UserError("ownSensors=" + name + ": label() must not be null");
+        }
+        PlainText.require("ownSensors=" + name + ": label()", label);
+        return sensor;
     }
 
     private ModuleDivision division() {

@@ -4,8 +4,10 @@ import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Supplier;
 import mmneat.evolution.Task;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 
 /**
@@ -51,6 +53,10 @@ public final class OwnTask {
             throw new UserError(task + ": must have at least one input and a label for each, has " + made.inputs()
                     + " inputs and " + (inputs == null ? 0 : inputs.size()) + " labels; see inputLabels()");
         }
+        requireNames(task + ": objectiveNames()", objectives);
+        requireNames(task + ": otherScoreNames()", made.otherScoreNames());
+        requireNames(task + ": otherScoreLabels()", made.otherScoreLabels());
+        requireNames(task + ": inputLabels()", inputs);
         if (made.policyNeuronsPerModule() < 1) {
             throw new UserError(task + ": policyNeuronsPerModule() must be at least 1, is "
                     + made.policyNeuronsPerModule() + "; networks without outputs cannot be evolved");
@@ -58,6 +64,14 @@ public final class OwnTask {
         if (made.trials() < 1) {
             throw new UserError(task + ": trials() must be at least 1, is " + made.trials());
         }
+    }
+
+    /** Names become parts of lines in logs, tables and scripts. */
+    private static void requireNames(String method, List<String> names) {
+        if (names == null || names.stream().anyMatch(Objects::isNull)) {
+            throw new UserError(method + ": must not be null or contain null");
+        }
+        names.forEach(name -> PlainText.require(method, name));
     }
 
     private static Task instance(Class<? extends Task> type, Map<String, String> parameters) {

@@ -15,6 +15,7 @@ import mmneat.evolution.Evaluator;
 import mmneat.evolution.Evolution;
 import mmneat.evolution.EvolutionSettings;
 import mmneat.evolution.EvolutionState;
+import mmneat.evolution.FailedEvaluationException;
 import mmneat.evolution.ParallelEvaluator;
 import mmneat.evolution.ScoreKeepingEvaluator;
 import mmneat.evolution.SequentialEvaluator;
@@ -130,6 +131,9 @@ final class RunWorker {
         }
         if (e instanceof BadEvaluationException) {
             return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), null);
+        }
+        if (e instanceof FailedEvaluationException failed) {
+            return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), failed.thrown());
         }
         return e instanceof IOException file ? failed(fileMessage(file), null) : failed(e.toString(), e);
     }

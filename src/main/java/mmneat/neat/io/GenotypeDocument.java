@@ -92,8 +92,17 @@ record GenotypeDocument(
             requirePresent("links[" + i + "]", links.get(i));
             linkGenes.add(links.get(i).toGene());
         }
+        requireUsageOfModules(moduleUsage, modules);
         ModuleLayout layout = new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
         return new Genotype(id, inputs, layout, nodeGenes, linkGenes, moduleUsage);
+    }
+
+    /** A network may have gained modules since it was evaluated, but not lost one. */
+    static void requireUsageOfModules(int[] usage, int modules) {
+        if (usage.length > modules) {
+            throw new IllegalArgumentException(
+                    "moduleUsage: has " + usage.length + " numbers, more than the " + modules + " modules");
+        }
     }
 
     private static void requirePresent(String field, Object value) {

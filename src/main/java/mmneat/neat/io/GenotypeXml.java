@@ -92,13 +92,9 @@ public final class GenotypeXml {
                     object.integer(object.present("numModes", "numModules")),
                     object.integer(object.present("neuronsPerMode", "neuronsPerModule")),
                     object.flag("standardMultitask"));
-            return new Genotype(
-                    object.longInteger("id"),
-                    object.integer("numIn"),
-                    layout,
-                    nodes,
-                    links,
-                    object.integers(object.present("modeUsage", "moduleUsage")));
+            int[] usage = object.integers(object.present("modeUsage", "moduleUsage"));
+            GenotypeDocument.requireUsageOfModules(usage, layout.modules());
+            return new Genotype(object.longInteger("id"), object.integer("numIn"), layout, nodes, links, usage);
         } catch (IllegalArgumentException e) {
             throw new GenotypeFormatException(e.getMessage(), e);
         }

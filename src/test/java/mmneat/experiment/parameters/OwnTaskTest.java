@@ -15,6 +15,7 @@ import mmneat.evolution.Task;
 import mmneat.experiment.UserError;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.ExperimentRunner;
+import mmneat.experiment.run.RunOutcome;
 import mmneat.experiment.run.RunPlan;
 import mmneat.experiment.store.RunParametersFile;
 import mmneat.neat.Genotype;
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What a user's task must be before a run begins. */
 class OwnTaskTest {
@@ -39,9 +41,19 @@ class OwnTaskTest {
             return Integer.parseInt(parameters.getOrDefault(name, "1"));
         }
 
+        /** A line break behind names of the kind that the parameter {@code nasty} says. */
+        private String nasty(String kind) {
+            return parameters.getOrDefault("nasty", "").equals(kind) ? "\n2" : "";
+        }
+
+        @Override
+        public List<String> otherScoreNames() {
+            return List.of("Other" + nasty("other"));
+        }
+
         @Override
         public List<String> objectiveNames() {
-            return Collections.nCopies(count("objectives"), "Score");
+            return Collections.nCopies(count("objectives"), "Score" + nasty("objective"));
         }
 
         @Override
@@ -51,7 +63,7 @@ class OwnTaskTest {
 
         @Override
         public List<String> inputLabels() {
-            return Collections.nCopies(count("labels"), "Input");
+            return Collections.nCopies(count("labels"), "Input" + nasty("input"));
         }
 
         @Override
@@ -108,6 +120,26 @@ class OwnTaskTest {
                 .hasMessageContaining(message)
                 .message()
                 .doesNotContain("\n");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"objective, objectiveNames()", "other, otherScoreNames()", "input, inputLabels()"})
+    void namesWithControlCharacters_areRefusedAtTheStart(String kind, String method) {
+        assertThatThrownBy(() -> experiment("task.nasty=" + kind))
+                .isInstanceOf(UserError.class)
+                .hasMessageStartingWith("task=" + Shaped.class.getName() + ": " + method)
+                .hasMessageContaining("must not contain control characters, has U+000A");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"parallelEvaluations=false", "parallelEvaluations=true"})
+    void exceptionOfATask_namesTheGenotypeAndTheGeneration(String word, @TempDir Path folder) throws Exception {
+        RunOutcome outcome =
+                experiment("mu=2", "base=" + folder, "threads=1", word).run().get(0);
+        assertThat(outcome.message())
+                .isEqualTo("task=" + Shaped.class.getName()
+                        + ": genotype 1 in generation 0: java.lang.UnsupportedOperationException");
+        assertThat(outcome.failure()).isInstanceOf(UnsupportedOperationException.class);
     }
 
     @Test

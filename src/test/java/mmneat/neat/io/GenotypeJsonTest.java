@@ -80,6 +80,7 @@ class GenotypeJsonTest {
                     "outputs" : 4               | "outputs" : -2147483648      | outputs: -2147483648 cannot be 2 modules
                     "inputs" : 3                | "inputs" : 2147483647        | too few for 2147483647 inputs
                     "active" : true             | "active" : true, "delay" : 1 | links[0].delay: unknown field
+                    "moduleUsage" : [           | "moduleUsage" : [ 1, 1,      | moduleUsage: has 4 numbers, more than the 2 modules
                     """)
     void damagedDocument_isRefused_namingTheField(String good, String bad, String message) {
         String json = GenotypeJson.write(NETWORK);
