@@ -65,6 +65,11 @@ public final class CorridorPositions {
         return positionOf[node];
     }
 
+    /** Number of corridors. */
+    public int count() {
+        return nodes.length;
+    }
+
     /** Number of nodes of a corridor. */
     public int length(int corridor) {
         return nodes[corridor].length;

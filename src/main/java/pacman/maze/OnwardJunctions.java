@@ -16,7 +16,7 @@ public final class OnwardJunctions {
      *
      *   arrivals   who needs how long: for a row of Ms. Pac-Man's and one of a ghost's, the ghost's steps less hers;
      *   lengths    her steps from the row's junction to the target;
-     *   onPaths    for a row and a node: the lanes whose path passes the node, and those whose target it is;
+     *   onPaths    for a row and a segment: the lanes whose path passes the corridor or junction, and those whose target it is;
      *   within     for both rows: the lanes where the ghost's path to the target lies on hers.
      */
 
@@ -50,6 +50,7 @@ public final class OnwardJunctions {
     private final Routes routes;
     private final PathTables paths;
     private final int rows;
+    private final int segments;
 
     /** Target of lane m of row r, at index 4 r + m, or -1. */
     private final int[] targets;
@@ -72,7 +73,10 @@ public final class OnwardJunctions {
     /** Bits of lanes, at index rows r + ghost's row. */
     private final byte[] within;
 
-    /** Bits of lanes whose path passes node v, and from bit 4 on of those whose target it is, at index nodes r + v. */
+    /**
+     * Bits of lanes whose path passes segment s, and from bit 4 on of those whose target it is, at index segments r + s. A path
+     * from junction to junction has all nodes of a corridor or none.
+     */
     private final byte[] onPaths;
 
     /** Moves, as bits, that lead on from the next junction and not back, for node v and direction d at index 4 v + d. */
@@ -84,6 +88,7 @@ public final class OnwardJunctions {
         this.routes = routes;
         this.paths = paths;
         rows = routes.rowCount();
+        segments = routes.segmentCount();
         targets = new int[4 * rows];
         steps = new int[4 * rows];
         longest = new int[rows];
@@ -91,12 +96,12 @@ public final class OnwardJunctions {
         arrivals = new long[rows * rows];
         arrivalsFromLair = new long[rows];
         within = new byte[rows * rows];
-        onPaths = new byte[rows * graph.nodeCount()];
+        onPaths = new byte[rows * routes.segmentCount()];
         moves = new byte[4 * graph.nodeCount()];
         int[] path = new int[PathTables.LONGEST * graph.nodeCount()];
         for (int row = 0; row < rows; row++) {
             // Every path passes the row's own junction.
-            onPaths[row * graph.nodeCount() + routes.junctionOfRow(row)] = 0xF;
+            onPaths[index(row, routes.place(routes.junctionOfRow(row)))] = 0xF;
             for (int lane = 0; lane < 4; lane++) {
                 findPath(row, lane, path);
             }
@@ -123,13 +128,13 @@ public final class OnwardJunctions {
             steps[index] = paths.rowPath(row, targets[index], path, 0);
             longest[row] = Math.max(longest[row], steps[index]);
             for (int i = 0; i < steps[index]; i++) {
-                onPaths[row * graph.nodeCount() + path[i]] |= (byte) (1 << lane);
+                onPaths[index(row, routes.place(path[i]))] |= (byte) (1 << lane);
             }
         } else {
             targets[index] = CorridorPositions.NONE;
             return;
         }
-        onPaths[row * graph.nodeCount() + targets[index]] |= (byte) (0x10 << lane);
+        onPaths[index(row, routes.place(targets[index]))] |= (byte) (0x10 << lane);
     }
 
     private void fillLane(MazeTables maze, int row, int lane, int[] path) {
@@ -164,7 +169,7 @@ public final class OnwardJunctions {
     }
 
     private boolean isOnward(int row, int lane, int node) {
-        return (onPaths[row * graph.nodeCount() + node] >> lane & 1) != 0;
+        return (passing(row, routes.place(node)) >> lane & 1) != 0;
     }
 
     private int movesOn(int node, int direction) {
@@ -211,14 +216,18 @@ public final class OnwardJunctions {
         return longest[row];
     }
 
-    /** Bits of the lanes whose path from the row's junction on passes a node; all for that junction itself. */
-    public int passing(int row, int node) {
-        return onPaths[row * graph.nodeCount() + node] & 0xF;
+    /** Bits of the lanes whose path from the row's junction on passes a place; all for that junction itself. */
+    public int passing(int row, int place) {
+        return onPaths[index(row, place)] & 0xF;
     }
 
-    /** Bits of the lanes that stand for a node. */
-    public int endingAt(int row, int node) {
-        return onPaths[row * graph.nodeCount() + node] >> 4 & 0xF;
+    /** Bits of the lanes that stand for the junction at a place. */
+    public int endingAt(int row, int place) {
+        return onPaths[index(row, place)] >> 4 & 0xF;
+    }
+
+    private int index(int row, int place) {
+        return row * segments + Routes.segment(place);
     }
 
     /** Bits of the lanes where a path that enters another row's junction stays on the onward path up to the target. */

@@ -29,6 +29,9 @@ public final class PathTables {
     private static final int LENGTH_BITS = 11;
     private static final int LENGTH_MASK = (1 << LENGTH_BITS) - 1;
 
+    /** More than any length of a path; a length together with it still has its bit. */
+    private static final int OWN_JUNCTION = 1 << 14;
+
     private final MazeGraph graph;
     private final Routes routes;
     private final int nodes;
@@ -38,6 +41,12 @@ public final class PathTables {
 
     /** Length and neighbours of the path from row r's junction to node v, at index nodes r + v. */
     private final char[] rows;
+
+    /**
+     * Length of the path from row r's junction to junction k, by its number, at index junctions r + k; {@link #OWN_JUNCTION} for
+     * the row's own: what is beside it can be exceptional. Small enough for the first-level cache, where the rows are not.
+     */
+    private final char[] toJunctions;
 
     /** Path from a row's junction to each other junction, by junction number. */
     private final int[][][] junctionPaths;
@@ -64,6 +73,7 @@ public final class PathTables {
         }
         junctionPaths = new int[count][junctions][];
         undirected = new char[junctions * junctions];
+        toJunctions = new char[count * junctions];
         for (int row = 0; row < count; row++) {
             for (int k = 0; k < junctions; k++) {
                 junctionPaths[row][k] = routes.junctionOfRow(row) == graph.junctionNode(k)
@@ -71,6 +81,10 @@ public final class PathTables {
                         : maze.paths()
                                 .directedPath(
                                         routes.junctionOfRow(row), graph.junctionNode(k), routes.arrivalOfRow(row));
+                toJunctions[row * junctions + k] = (char)
+                        (routes.junctionOfRow(row) == graph.junctionNode(k)
+                                ? OWN_JUNCTION
+                                : junctionPaths[row][k].length);
                 if (routes.arrivalOfRow(row) == Routes.NEUTRAL) {
                     undirected[graph.junctionNumber(routes.junctionOfRow(row)) * junctions + k] =
                             (char) junctionPaths[row][k].length;
@@ -96,19 +110,26 @@ public final class PathTables {
 
     /** Length of the path along a route to a target that is not in the corridor ahead. */
     public int lengthBeyond(long route, int target) {
-        return Routes.steps(route) + (rows[Routes.row(route) * nodes + target] & LENGTH_MASK);
+        return Routes.steps(route) + rowLength(Routes.row(route), target);
     }
 
     /** Length of the path from a row's junction to a target. */
     public int rowLength(int row, int target) {
-        return rows[row * nodes + target] & LENGTH_MASK;
+        int first = legs[2 * target];
+        int second = legs[2 * target + 1];
+        int byFirst = toJunctions[row * graph.junctionCount() + (first >> 16)] + (first & 0xFFFF);
+        int bySecond = toJunctions[row * graph.junctionCount() + (second >> 16)] + (second & 0xFFFF);
+        return ((byFirst | bySecond) & OWN_JUNCTION) == 0
+                ? Math.min(byFirst, bySecond)
+                : rows[row * nodes + target] & LENGTH_MASK;
     }
 
     /** Length of the simulator's undirected path, where neither end is the lair. */
     public int undirectedLength(int from, int to) {
         int place = routes.place(from);
-        if (from == to || place >> 16 == routes.place(to) >> 16 && !graph.isJunction(from)) {
-            return Math.abs(place - routes.place(to));
+        int other = routes.place(to);
+        if (Routes.segment(place) == Routes.segment(other)) {
+            return Math.abs(place - other);
         }
         int first = legs[2 * from];
         int second = legs[2 * from + 1];

@@ -33,7 +33,7 @@ public final class Routes {
     private final CorridorPositions corridors;
     private final int nodes;
 
-    /** Corridor and position of each node, packed as in a route; junctions have corridor 0xFFE, which no route has. */
+    /** Segment of each node in the upper half: its corridor, or a number of its own for a junction; its position in the lower. */
     private final int[] places;
 
     /** Way of going on from node v in direction d, at index 4 v + d. */
@@ -78,8 +78,9 @@ public final class Routes {
         }
         places = new int[nodes];
         for (int v = 0; v < nodes; v++) {
+            // Junctions and, as the last one, the lair are segments of their own.
             places[v] = corridors.corridorOf(v) == NONE
-                    ? (NO_CORRIDOR - 1) << 16
+                    ? corridors.count() + (v == graph.lair() ? junctions : graph.junctionNumber(v)) << 16
                     : corridors.corridorOf(v) << 16 | corridors.positionOf(v);
         }
         leaving = routesOut();
@@ -237,7 +238,7 @@ public final class Routes {
         return aheadOfPlace(route, places[target]);
     }
 
-    /** A node's corridor and position, for {@link #aheadOfPlace}. */
+    /** A node's segment and position in it, for {@link #aheadOfPlace} and {@link #segment}. */
     public int place(int node) {
         return places[node];
     }
@@ -250,5 +251,15 @@ public final class Routes {
     /** The node so many steps along a route, before its junction. */
     public int corridorNode(long route, int step) {
         return corridors.node(corridor(route), start(route) + step * sign(route));
+    }
+
+    /** Number of the corridor or junction of a place. */
+    public static int segment(int place) {
+        return place >> 16;
+    }
+
+    /** Number of corridors and junctions, and one for the lair. */
+    public int segmentCount() {
+        return corridors.count() + graph.junctionCount() + 1;
     }
 }

@@ -1,9 +1,12 @@
 package pacman.maze;
 
+import java.nio.LongBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * All walks of a given number of steps that start in a direction and never turn back, and what they meet.
@@ -23,21 +26,24 @@ public final class WalkTables {
     /** The mazes of the competition have at most a few dozen from one node; a net of corridors could have millions. */
     private static final int MOST_WALKS = 20_000;
 
-    /** Number of the first walk from node v in direction d, at index 4 v + d; the walks of the next index follow. */
+    /** List of the walks from node v in direction d, at index 4 v + d. Lists with the same pills are kept once. */
+    private final int[] lists;
+
+    /** Number of the first walk of each list; the walks of the next list follow. */
     private final int[] first;
 
-    /** For the same index, the first and the number of the words that its walks' masks have. */
+    /** Per list, the first word that its masks have, and the word after the last. */
     private final byte[] firstWord;
 
-    private final byte[] wordCount;
+    private final byte[] endWord;
 
-    /** For the same index, where its masks start. */
+    /** Per list, where its masks start. */
     private final int[] maskStart;
 
-    /** Pills on each walk, as many longs as its index has words. */
+    /** Pills on each walk, as many longs as its list has words. */
     private final long[] masks;
 
-    /** Number of pills on each walk, descending for each index. */
+    /** Number of pills on each walk, descending within a list. */
     private final byte[] sizes;
 
     /** Most junctions on a walk from node v in direction d, at index 4 v + d. */
@@ -45,57 +51,63 @@ public final class WalkTables {
 
     /** Walks of so many steps in a maze. */
     public WalkTables(MazeGraph graph, int depth) {
-        int indices = 4 * graph.nodeCount();
-        first = new int[indices + 1];
-        maskStart = new int[indices];
-        firstWord = new byte[indices];
-        wordCount = new byte[indices];
-        junctions = new byte[indices];
+        lists = new int[4 * graph.nodeCount()];
+        junctions = new byte[lists.length];
         Explorer explorer = new Explorer(graph, depth, graph.pillWords());
-        List<Integer> allSizes = new ArrayList<>();
-        List<Long> allMasks = new ArrayList<>();
-        for (int index = 0; index < indices; index++) {
-            first[index] = allSizes.size();
-            maskStart[index] = allMasks.size();
+        Map<List<LongBuffer>, Integer> numbers = new LinkedHashMap<>();
+        for (int index = 0; index < lists.length; index++) {
             if (graph.neighbour(index >> 2, index & 3) != CorridorPositions.NONE) {
                 explorer.explore(index >> 2, index & 3);
                 junctions[index] = (byte) explorer.mostJunctions;
                 explorer.walks.sort(Comparator.comparingInt(WalkTables::size).reversed());
-                findWords(index, explorer.walks);
-                for (long[] walk : explorer.walks) {
-                    allSizes.add(size(walk));
-                    for (int word = 0; word < wordCount[index]; word++) {
-                        allMasks.add(walk[firstWord[index] + word]);
-                    }
-                }
+                List<LongBuffer> walks =
+                        explorer.walks.stream().map(LongBuffer::wrap).toList();
+                numbers.putIfAbsent(walks, numbers.size());
+                lists[index] = numbers.get(walks);
             }
         }
-        first[indices] = allSizes.size();
-        masks = allMasks.stream().mapToLong(Long::longValue).toArray();
-        sizes = new byte[allSizes.size()];
-        for (int walk = 0; walk < sizes.length; walk++) {
-            sizes[walk] = allSizes.get(walk).byteValue();
+        first = new int[numbers.size() + 1];
+        maskStart = new int[numbers.size()];
+        firstWord = new byte[numbers.size()];
+        endWord = new byte[numbers.size()];
+        sizes = new byte[numbers.keySet().stream().mapToInt(List::size).sum()];
+        long[] found = new long[sizes.length * graph.pillWords()];
+        int count = 0;
+        int list = 0;
+        for (List<LongBuffer> walks : numbers.keySet()) {
+            findWords(list, walks);
+            maskStart[list] = count;
+            first[list + 1] = first[list];
+            for (LongBuffer walk : walks) {
+                sizes[first[list + 1]++] = (byte) size(walk.array());
+                for (int word = firstWord[list]; word < endWord[list]; word++) {
+                    found[count++] = walk.get(word);
+                }
+            }
+            list++;
         }
+        masks = Arrays.copyOf(found, count);
     }
 
     private static int size(long[] walk) {
         return Arrays.stream(walk).mapToInt(Long::bitCount).sum();
     }
 
-    /** Finds the words in which any of these walks has pills. */
-    private void findWords(int index, List<long[]> walks) {
-        int last = 0;
-        int start = walks.get(0).length;
-        for (long[] walk : walks) {
-            for (int word = 0; word < walk.length; word++) {
-                if (walk[word] != 0) {
+    /** Finds the words in which any of a list's walks has pills. */
+    private void findWords(int list, List<LongBuffer> walks) {
+        int words = walks.get(0).capacity();
+        int start = words;
+        int end = 0;
+        for (LongBuffer walk : walks) {
+            for (int word = 0; word < words; word++) {
+                if (walk.get(word) != 0) {
                     start = Math.min(start, word);
-                    last = Math.max(last, word + 1);
+                    end = Math.max(end, word + 1);
                 }
             }
         }
-        firstWord[index] = (byte) start;
-        wordCount[index] = (byte) Math.max(last - start, 0);
+        firstWord[list] = (byte) start;
+        endWord[list] = (byte) end;
     }
 
     /**
@@ -104,13 +116,13 @@ public final class WalkTables {
      * @param active bits of the active pills
      */
     public int mostPills(int node, int direction, long[] active) {
-        int index = 4 * node + direction;
-        int end = first[index + 1];
-        int start = firstWord[index];
-        int afterLast = start + wordCount[index];
-        int at = maskStart[index];
+        int list = lists[4 * node + direction];
+        int end = first[list + 1];
+        int start = firstWord[list];
+        int afterLast = endWord[list];
+        int at = maskStart[list];
         int most = 0;
-        for (int walk = first[index]; walk < end && sizes[walk] > most; walk++) {
+        for (int walk = first[list]; walk < end && sizes[walk] > most; walk++) {
             int pills = 0;
             for (int word = start; word < afterLast; word++) {
                 pills += Long.bitCount(masks[at++] & active[word]);

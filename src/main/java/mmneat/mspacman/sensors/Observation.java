@@ -255,6 +255,11 @@ public final class Observation {
         return ghostRoute[ghost];
     }
 
+    /** Place of a ghost outside the lair, as {@link Routes#place} numbers it. */
+    int ghostPlace(int ghost) {
+        return ghostPlace[ghost];
+    }
+
     /** Steps to a ghost outside the lair if it is in the corridor before the next junction; else 0 or less. */
     int stepsAhead(int ghost) {
         return stepsAhead[ghost];
@@ -497,6 +502,16 @@ public final class Observation {
     /** Whether a ghost outside the lair is on a path to Ms. Pac-Man that comes in from this direction. */
     public boolean isApproaching(int ghost) {
         return (neighboursPassed[ghost] >> direction & 1) != 0;
+    }
+
+    /**
+     * What is so of a ghost outside the lair: bit 0 approaching, bit 1 trapped, bit 2 edible. By arithmetic: as branches they
+     * could not be predicted.
+     */
+    int flags(int ghost) {
+        return neighboursPassed[ghost] >> direction & 1
+                | (least - 1 - stepsAhead[ghost]) >>> 30 & 2
+                | -edibleTime[ghost] >>> 29 & 4;
     }
 
     /** Whether no junction lies between Ms. Pac-Man and a ghost outside the lair in this direction, nor under the ghost. */

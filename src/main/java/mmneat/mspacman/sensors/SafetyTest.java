@@ -63,7 +63,7 @@ final class SafetyTest {
             return Integer.bitCount(moves);
         }
         int targets = moves | onward.ownBit(row);
-        int special = targets & onward.passing(row, observation.pacManNode());
+        int special = targets & onward.passing(row, tables.routes.place(observation.pacManNode()));
         if (mayReachLastPill) {
             special |= targets & passingAllPills();
         }
@@ -137,7 +137,7 @@ final class SafetyTest {
     /** Bits of the targets to which her path passes a ghost; all if it is before the next junction. */
     private int onPaths(int ghost) {
         int inCorridor = -Math.max(observation.stepsAhead(ghost), 0) >>> 28;
-        return inCorridor | tables.onward.passing(row, observation.ghostNode(ghost));
+        return inCorridor | tables.onward.passing(row, observation.ghostPlace(ghost));
     }
 
     /**
@@ -158,7 +158,7 @@ final class SafetyTest {
         } else if (!tables.graph.isJunction(node)) {
             passed = OnwardJunctions.flags(tables.onward.within(row, Routes.row(ghostRoute))) & onPaths;
         } else if (edibleTime == 0 && !observation.isApproaching(ghost)) {
-            passed = OnwardJunctions.flags(tables.onward.endingAt(row, node));
+            passed = OnwardJunctions.flags(tables.onward.endingAt(row, observation.ghostPlace(ghost)));
         }
         long stopped = arrivesFirst(ghost) & ~passed;
         long inTheWay = onPaths & ~passed;
@@ -183,9 +183,9 @@ final class SafetyTest {
         int passing = 0xF;
         for (int word = 0; word < tables.graph.pillWords(); word++) {
             for (long left = observation.activePills(word); left != 0 && passing != 0; left &= left - 1) {
-                int pill = tables.graph.pillNode(64 * word + Long.numberOfTrailingZeros(left));
-                if (tables.routes.ahead(route, pill) <= 0 && pill != tables.routes.junction(route)) {
-                    passing &= tables.onward.passing(row, pill);
+                int place = tables.routes.place(tables.graph.pillNode(64 * word + Long.numberOfTrailingZeros(left)));
+                if (Routes.aheadOfPlace(route, place) <= 0) {
+                    passing &= tables.onward.passing(row, place);
                 }
             }
         }

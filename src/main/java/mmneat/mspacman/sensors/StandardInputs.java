@@ -85,15 +85,16 @@ final class StandardInputs {
         for (int n = 0; n < Observation.GHOSTS; n++) {
             int ghost = observation.nthNearestGhost(n);
             boolean exists = ghost >= 0;
+            int flags = exists ? observation.flags(ghost) : 0;
             activations[at++] = distance(exists ? observation.distanceToGhost(ghost) : -1);
             if (incoming) {
-                activations[at++] = flag[exists && observation.isApproaching(ghost) ? 1 : 0];
+                activations[at++] = flag[flags & 1];
             }
             if (trapped) {
-                activations[at++] = flag[exists && observation.isTrapped(ghost) ? 1 : 0];
+                activations[at++] = flag[flags >> 1 & 1];
             }
             if (edible) {
-                activations[at++] = flag[exists && observation.isEdible(ghost) ? 1 : 0];
+                activations[at++] = flag[flags >> 2];
             }
         }
         return at;
