@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Evaluations in a run's folder that somebody changed by hand. */
+/** Evaluations in a run's folder that were changed by hand. */
 class EvaluationReadingTest {
 
     private static final String WHOLE = """
