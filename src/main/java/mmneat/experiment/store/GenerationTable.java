@@ -5,6 +5,7 @@ import com.fasterxml.jackson.dataformat.csv.CsvMapper;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import mmneat.evolution.Evaluation;
 import mmneat.evolution.Generation;
 import mmneat.evolution.Individual;
@@ -42,8 +43,9 @@ public final class GenerationTable {
                 Integer.toString(champion.genotype().modules()),
                 Integer.toString(champion.genotype().nodes().size()),
                 Integer.toString(champion.genotype().links().size()),
-                Long.toString(generation.parents().stream()
-                        .mapToLong(parent -> parent.evaluation().outcomes().steps())
+                Long.toString(Stream.concat(generation.parents().stream(), generation.children().stream())
+                        .mapToLong(
+                                individual -> individual.evaluation().outcomes().steps())
                         .sum())));
         for (int objective = 0; objective < task.objectiveNames().size(); objective++) {
             fields.add(DoubleText.of(Generation.bestIn(generation.parents(), objective)

@@ -251,6 +251,15 @@ class ExperimentRunnerTest {
     }
 
     @Test
+    void tableOfGenerations_countsTheStepsOfParentsAndChildren() throws Exception {
+        run("steps", "mu=5", "maxGens=2");
+        // An evaluation has 20 steps.
+        assertThat(Files.readAllLines(folder.resolve("steps/1M0/generations.csv")).stream()
+                        .map(line -> line.split(",")[8]))
+                .containsExactly("steps", "200", "200", "100");
+    }
+
+    @Test
     void runThatAnotherProcessHolds_isLeftAlone_theOthersAreDone() throws Exception {
         Files.createDirectories(folder.resolve("held/1M0"));
         try (RunLock lock = RunLock.acquire(folder.resolve("held/1M0"), RunLock.Timing.USUAL)) {
