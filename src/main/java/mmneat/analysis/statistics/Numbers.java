@@ -7,10 +7,19 @@ public final class Numbers {
 
     private Numbers() {}
 
-    /** A score: groups of three digits and no decimals if it is a hundred or more, else up to four digits; a dash for NaN. */
+    /** Numbers from here on are written with an exponent, as no column is wide enough for their digits. */
+    private static final double LARGE = 1e9;
+
+    /**
+     * A score: groups of three digits and no decimals if it is a hundred or more, else up to four digits; with an exponent from
+     * a billion on; a dash for NaN.
+     */
     public static String score(double value) {
         if (Double.isNaN(value)) {
             return "-";
+        }
+        if (Math.abs(value) >= LARGE && !Double.isInfinite(value)) {
+            return String.format(Locale.ROOT, "%.3e", value).replaceFirst("\\.?0+e", "e");
         }
         return Math.abs(value) >= 100 || value == Math.rint(value)
                 ? String.format(Locale.ROOT, "%,.0f", value)

@@ -17,6 +17,8 @@ import mmneat.analysis.results.RunFixture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.xml.sax.EntityResolver;
 import org.xml.sax.InputSource;
 
@@ -77,6 +79,30 @@ class FigureTest {
         RunFixture.run(base, "interleaved", "1M", 0, 1, 2);
         List<Experiment> unevaluated = ExperimentFinder.find(List.of(base.resolve("interleaved")));
         assertThat(ModuleUseFigure.of("interleaved", unevaluated, paper)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1e17, 1e17",
+        "-1e17, -1e17",
+        "0, 1e300",
+        "-1e308, 1e308",
+        "-1.7976931348623157e308, 1.7976931348623157e308",
+        "1e-300, 1e-300",
+        "4.9e-324, 1e-320",
+        "0, 0",
+        "1, 1e17",
+        "123456789.123, 123456789.124"
+    })
+    void curvesOfAnyNumbers_areDrawn(double first, double last) throws IOException {
+        RunFixture.run(base, "interleaved", "1M", 0, first, last, first);
+        List<Experiment> extreme = ExperimentFinder.find(List.of(base.resolve("interleaved")));
+        for (Figure figure : List.of(
+                LearningCurveFigure.overview("interleaved", extreme, paper),
+                LearningCurveFigure.panels("interleaved", extreme, paper))) {
+            assertThat(figure.svg()).doesNotContain("NaN", "Infinity").hasSizeLessThan(300_000);
+            assertThat(figure.png()).isNotEmpty();
+        }
     }
 
     @Test

@@ -20,6 +20,11 @@ class NumbersTest {
         "0, 0",
         "-3.5, -3.5",
         "1e-10, 1.000e-10",
+        "999999999, '999,999,999'",
+        "1e9, 1e+09",
+        "1e17, 1e+17",
+        "-1.25e17, -1.25e+17",
+        "1.7976931348623157e308, 1.798e+308",
         "NaN, -"
     })
     void score_hasGroupsIfLarge_andNoMoreDigitsThanItNeedsIfSmall(double value, String text) {
