@@ -21,6 +21,21 @@ public record Recording(List<String> states) {
     private static final int COMPETITION_FIELDS = 35;
     private static final int MM_NEAT_FIELDS = 56;
 
+    /** Fields that MM-NEAT's states have in front; the last {@link #SWITCHES} of them are switches. */
+    private static final int COUNTERS = 20;
+
+    private static final int SWITCHES = 4;
+
+    /** Places of fields in the competition's form. */
+    private static final int TIME = 1;
+
+    private static final int SCORE = 2;
+    private static final int LEVEL = 4;
+    private static final int EXTRA_LIFE = 8;
+
+    /** What was eaten in the last step. */
+    private static final int SWITCHES_AT_END = 7;
+
     /** @throws IllegalArgumentException if there is no state, or one has not as many fields as a game's state has */
     public Recording {
         states = List.copyOf(states);
@@ -36,6 +51,83 @@ public record Recording(List<String> states) {
             if (fields(states.get(i)) != fields) {
                 throw new IllegalArgumentException("state " + (i + 1) + " has " + fields(states.get(i))
                         + " fields, those before it " + fields + "; the file is damaged");
+            }
+        }
+    }
+
+    /**
+     * Makes sure that the states follow each other as those of one game do: each one time step after the one before, in the same
+     * level or the next, with no less score; and that all switches are true or false, and all pills 0 or 1. A controller that ends
+     * the game leaves the last state twice.
+     *
+     * @throws IllegalArgumentException naming the first state that does not
+     */
+    public void requireContinuous() {
+        String[] before = null;
+        for (int i = 0; i < states.size(); i++) {
+            String[] state = states.get(i).split(",", -1);
+            String place = "state " + (i + 1) + ": ";
+            requireSwitches(place, state);
+            boolean isRepeatedEnd =
+                    i > 0 && i == states.size() - 1 && states.get(i).equals(states.get(i - 1));
+            if (before == null) {
+                requireBeginning(place, state);
+            } else if (!isRepeatedEnd) {
+                requireFollows(place, before, state);
+            }
+            before = state;
+        }
+    }
+
+    private static void requireBeginning(String place, String[] state) {
+        int first = state.length == COMPETITION_FIELDS ? 0 : COUNTERS;
+        if (number(place, state, first + TIME) > 1) {
+            throw new IllegalArgumentException(place + "the recording begins at time " + state[first + TIME]
+                    + ", so states are missing; the file is damaged");
+        }
+    }
+
+    private static void requireFollows(String place, String[] before, String[] state) {
+        int first = state.length == COMPETITION_FIELDS ? 0 : COUNTERS;
+        long passed = number(place, state, first + TIME) - number(place, before, first + TIME);
+        if (passed != 1) {
+            throw new IllegalArgumentException(place + "time " + state[first + TIME] + " follows time "
+                    + before[first + TIME] + ", so states are missing or in the wrong order; the file is damaged");
+        }
+        long levels = number(place, state, first + LEVEL) - number(place, before, first + LEVEL);
+        if (levels < 0 || levels > 1) {
+            throw new IllegalArgumentException(place + "level " + state[first + LEVEL] + " follows level "
+                    + before[first + LEVEL] + "; the file is damaged");
+        }
+        if (number(place, state, first + SCORE) < number(place, before, first + SCORE)) {
+            throw new IllegalArgumentException(place + "score " + state[first + SCORE] + " follows score "
+                    + before[first + SCORE] + "; the file is damaged");
+        }
+    }
+
+    private static long number(String place, String[] state, int field) {
+        try {
+            return Integer.parseInt(state[field]);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(
+                    place + "field " + (field + 1) + " must be a whole number, is '" + state[field] + "'", e);
+        }
+    }
+
+    private static void requireSwitches(String place, String[] state) {
+        boolean isLong = state.length == MM_NEAT_FIELDS;
+        for (int field = 0; field < state.length; field++) {
+            boolean isSwitch = isLong && field >= COUNTERS - SWITCHES && field < COUNTERS
+                    || field == (isLong ? COUNTERS + EXTRA_LIFE + 1 : EXTRA_LIFE)
+                    || field >= state.length - SWITCHES_AT_END;
+            if (isSwitch && !state[field].equals("true") && !state[field].equals("false")) {
+                throw new IllegalArgumentException(
+                        place + "field " + (field + 1) + " must be true or false, is '" + state[field] + "'");
+            }
+            boolean arePills =
+                    field == state.length - SWITCHES_AT_END - 2 || field == state.length - SWITCHES_AT_END - 3;
+            if (arePills && !state[field].matches("[01]*")) {
+                throw new IllegalArgumentException(place + "field " + (field + 1) + " must have 0 or 1 for each pill");
             }
         }
     }

@@ -101,7 +101,9 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
 
     private static Recording load(Path file) {
         try {
-            return Recording.load(file);
+            Recording recording = Recording.load(file);
+            recording.requireContinuous();
+            return recording;
         } catch (IOException e) {
             throw new UserError("cannot read " + file + ": " + FileErrors.reason(e), e);
         } catch (IllegalArgumentException e) {

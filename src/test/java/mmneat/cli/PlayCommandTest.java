@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import mmneat.CompiledClasses;
@@ -17,6 +18,8 @@ import mmneat.neat.variation.InitialNetworks;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import pacman.Recording;
 import pacman.game.Game;
 import pacman.game.GameRules;
@@ -271,5 +274,40 @@ class PlayCommandTest extends CommandTest {
         assertThat(out.toString()).contains("replay FILE", "delay=", "view=");
         assertThat(execute("--help")).isZero();
         assertThat(out.toString()).contains("play", "replay");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"competition", "mmneat"})
+    void damagedRecording_isRefused(String rules) throws IOException {
+        Path file = folder.resolve("whole.txt");
+        assertThat(execute("play", "view=false", "games=1", "rules=" + rules, "record=" + file))
+                .as(errors.toString())
+                .isZero();
+        List<String> states = Files.readAllLines(file);
+        assertThat(execute("replay", file.toString(), "view=false"))
+                .as(errors.toString())
+                .isZero();
+        assertDamaged("states are missing", states, lines -> lines.remove(50));
+        assertDamaged(
+                "states are missing", states, lines -> lines.subList(0, 20).clear());
+        assertDamaged("states are missing", states, lines -> lines.add(60, lines.get(60)));
+        assertDamaged("states are missing", states, lines -> java.util.Collections.swap(lines, 70, 71));
+        assertDamaged("must be true or false", states, lines -> lines.set(30, lines.get(30) + "x"));
+        assertDamaged(
+                "must be true or false",
+                states,
+                lines -> lines.set(30, lines.get(30).replaceFirst("(true|false)(.*)", "maybe$2")));
+        assertDamaged(
+                "must have 0 or 1 for each pill",
+                states,
+                lines -> lines.set(30, lines.get(30).replaceFirst("[01]{50}", "2".repeat(50))));
+    }
+
+    private void assertDamaged(String message, List<String> states, java.util.function.Consumer<List<String>> damage)
+            throws IOException {
+        List<String> lines = new ArrayList<>(states);
+        damage.accept(lines);
+        Path damaged = Files.write(folder.resolve("damaged.txt"), lines);
+        assertMistake(message, "replay", damaged.toString(), "view=false");
     }
 }
