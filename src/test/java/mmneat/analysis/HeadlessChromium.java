@@ -122,6 +122,13 @@ public final class HeadlessChromium implements AutoCloseable {
                 Map.of("width", width, "height", height, "deviceScaleFactor", phone ? 2 : 1, "mobile", phone));
     }
 
+    /** Makes pages see a reader who prefers a dark or a light colour scheme. */
+    public void preferDark(boolean dark) {
+        call(
+                "Emulation.setEmulatedMedia",
+                Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", dark ? "dark" : "light"))));
+    }
+
     /** The value of an expression; a promise is waited for. */
     public JsonNode evaluate(String expression) {
         JsonNode result =

@@ -1,4 +1,4 @@
-/* What the network senses in each direction, how its nodes answer, and what it wants. */
+/* The sensor values and the network's output in each direction, and the network with its activations in one direction. */
 const DIRECTION_NAMES = ["up", "right", "down", "left"], DIRECTION_SIGNS = ["↑", "→", "↓", "←"];
 const EXCITES = [120, 190, 255], INHIBITS = [255, 96, 72], PREFERENCE_GREY = "#aab1c8";
 
@@ -8,7 +8,19 @@ class MindView {
     this.canvas = canvas;
     this.network = recording.network;
     this.follow = -1;
+    this.lastOpen = DIRECTION_NAMES.map((_, direction) => this.listLastOpen(direction));
   }
+
+  /** Per step the last step up to it in which a direction is open; before the first such step that first one. */
+  listLastOpen(direction) {
+    const open = this.recording.column["preference" + direction], last = new Uint32Array(open.length);
+    let found = Math.max(0, open.findIndex(value => value !== WALL));
+    for (let i = 0; i < open.length; i++) last[i] = open[i] !== WALL ? found = i : found;
+    return last;
+  }
+
+  /** The step whose evaluation the network shows: in front of a wall the last one in which the direction was open. */
+  networkStep(direction, step) { return this.lastOpen[direction][step]; }
 
   /** The direction whose network is shown: the chosen one unless the reader picked another. */
   direction(step) {
@@ -24,7 +36,7 @@ class MindView {
     return column[`${kind}${direction}_${index}`][Math.floor(step / detailEvery)] / scale - 1;
   }
 
-  /** In words who decides what. */
+  /** The sentence that names the deciding module and its direction. */
   decision(step) {
     const { column } = this.recording, direction = column.choice[step];
     if (column.module[step] === WALL || direction > 3) return "The game is over";
@@ -99,20 +111,22 @@ class MindView {
     c.clearRect(0, 0, width, height);
     const { module } = this.recording.column;
     const decided = module[step] === WALL && step > 0 ? step - 1 : step;
-    const direction = this.direction(decided), open = this.isOpen(direction, decided);
+    const direction = this.direction(decided), evaluated = this.networkStep(direction, decided);
     this.drawDirections(c, decided, direction);
     this.drawSensors(c, decided, direction);
-    if (open) this.drawNetwork(c, decided, direction);
-    else {
-      c.fillStyle = "#8f99bd"; c.textAlign = "center"; c.font = "14px system-ui, sans-serif";
-      c.fillText("wall " + DIRECTION_NAMES[direction], (this.at.first + this.at.last) / 2, height / 2);
+    this.drawNetwork(c, evaluated, direction);
+    if (evaluated !== decided) {
+      c.fillStyle = "#8f99bd"; c.textAlign = "left"; c.textBaseline = "middle"; c.font = "12px system-ui, sans-serif";
+      const late = decided - evaluated, steps = Math.abs(late) === 1 ? "step" : "steps";
+      const when = late > 0 ? `${late} ${steps} ago` : `in ${-late} ${steps}`;
+      c.fillText(fit(c, `${DIRECTION_SIGNS[direction]} wall; network as it was ${when}`.replace("was in", "will be in"), width - this.at.first - 14), this.at.first + 8, 12);
     }
   }
 
   drawDirections(c, step, shown) {
     const { at } = this, { choice, module } = this.recording.column;
     c.textAlign = "left"; c.textBaseline = "middle"; c.font = "12px system-ui, sans-serif"; c.fillStyle = "#8f99bd";
-    c.fillText("answer", 2, 33);
+    c.fillText("output", 2, 33);
     for (let d = 0; d < 4; d++) {
       const x = at.label + d * at.cell, w = at.cell - 3;
       if (d === shown) { c.fillStyle = "#1c2548"; c.beginPath(); c.roundRect(x - 1.5, 0, at.cell, at.height, 6); c.fill(); }
@@ -229,9 +243,9 @@ class MindView {
     if (!at) return null;
     const near = at.x.findIndex((x, i) => i >= network.inputs.length && Math.hypot(x - px, at.y[i] - py) < 10);
     if (near >= 0) {
-      const node = network.nodes[near - network.inputs.length], direction = this.direction(step);
+      const node = network.nodes[near - network.inputs.length], direction = this.direction(step), evaluated = this.networkStep(direction, step);
       const kind = node.kind === "HIDDEN" ? "hidden node" : `${node.kind.toLowerCase()} of ${network.modules[node.module]}`;
-      return `${kind}, ${DIRECTION_NAMES[direction]}: ` + (this.isOpen(direction, step) ? this.activation(near, direction, step).toFixed(2) : "wall");
+      return `${kind}, ${DIRECTION_NAMES[direction]}: ` + this.activation(near, direction, evaluated).toFixed(2);
     }
     const row = Math.floor((py - at.top) / at.row);
     if (row < 0 || row >= network.inputs.length || px > at.first + 8) return null;

@@ -15,6 +15,7 @@ class Player {
     document.body.classList.toggle("no-network", recording.network.inputs.length === 0);
     document.body.classList.toggle("one-life", Math.max(...new Set(recording.column.lives)) <= 1);
     document.body.classList.toggle("one-game", recording.gameStarts.length === 1);
+    this.byId("mind-canvas").style.setProperty("--inputs", recording.network.inputs.length);
     this.listModules();
     this.connect();
     this.seek(0);
@@ -104,7 +105,7 @@ class Player {
     const put = (id, text) => { const e = this.byId(id); if (e.textContent !== text) e.textContent = text; };
     put("score", number(column.score[step]));
     put("total", number(total[step]));
-    put("maze-label", chapter.game ? chapter.game + " in" : `Level ${chapter.level + 1}`);
+    put("maze-label", `${chapter.game || `Level ${chapter.level + 1}`} maze`);
     put("maze", mazeLetter(chapter));
     put("pills", left.powerPills.size ? `${left.pills.size}+${left.powerPills.size}` : String(left.pills.size));
     put("ghosts", String(ghostsEaten[step]));

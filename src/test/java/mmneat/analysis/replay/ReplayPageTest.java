@@ -12,9 +12,14 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The replay page as its readers see it. */
 class ReplayPageTest {
+
+    /** As many as the sensors of the shipped champions. */
+    private static final int INPUTS = 30;
 
     private static final int LAST = 2 * SyntheticReplay.STEPS_PER_LEVEL - 1;
 
@@ -77,7 +82,7 @@ class ReplayPageTest {
         browser.drag("#timeline", 0.1, 0.5);
         double step = browser.evaluate("player.step").asDouble();
         assertThat(step).isBetween(LAST * 0.48, LAST * 0.52);
-        assertThat(browser.text("#maze-label")).isIn("Level 1", "Level 2");
+        assertThat(browser.text("#maze-label")).isIn("Level 1 maze", "Level 2 maze");
         browser.drag("#timeline", 0.5, 1.0);
         assertThat(browser.text("#score")).isEqualTo("1,000");
         browser.drag("#timeline", 1.0, 0.0);
@@ -119,6 +124,106 @@ class ReplayPageTest {
             assertThat(overflow).as("sideways scrolling").isLessThanOrEqualTo(0);
         }
         browser.resize(1280, 800, false);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1366, 620, 0",
+        "1920, 1000, 0",
+        "1024, 600, 0",
+        "844, 390, 1",
+        "667, 375, 1",
+        "390, 844, 1",
+        "360, 740, 1"
+    })
+    void page_onScreen_hasNothingCutOrCovered(int width, int height, int phone) throws IOException {
+        Path games = folder.resolve("games.html");
+        Files.writeString(games, ReplayPage.html(SyntheticReplay.isolatedGames(INPUTS)));
+        browser.resize(width, height, phone == 1);
+        for (Path shown : new Path[] {page, games}) {
+            browser.open(shown);
+            browser.waitUntil("window.player !== undefined");
+            browser.evaluate("player.move(200)");
+            assertThat(number("document.documentElement.scrollWidth - innerWidth"))
+                    .as("sideways scrolling")
+                    .isLessThanOrEqualTo(0);
+            assertThat(browser.evaluate("[...document.querySelectorAll('.figure span, .figure b')]"
+                            + ".filter(e => e.offsetParent && e.scrollWidth > e.clientWidth).map(e => e.textContent)"))
+                    .as("cut texts")
+                    .isEmpty();
+            assertThat(number("document.querySelector('footer').getBoundingClientRect().bottom - innerHeight"))
+                    .as("controls below the window")
+                    .isLessThan(1);
+            // After scrolling to its end, the last row of the list of sensors is above the controls.
+            browser.evaluate(
+                    "document.querySelector('#mind .key').scrollIntoView({block: 'end', behavior: 'instant'})");
+            browser.evaluate("scrollTo(0, document.documentElement.scrollHeight)");
+            assertThat(overlap("#mind-canvas", "footer")).isLessThanOrEqualTo(0);
+            assertThat(number("player.mind.at.row"))
+                    .as("height of a sensor's row")
+                    .isGreaterThan(9.5);
+            browser.evaluate("scrollTo(0, 0)");
+            assertThat(number("document.querySelector('#maze-canvas').getBoundingClientRect().width"))
+                    .as("width of the maze")
+                    .isGreaterThan(300);
+            assertThat(overlap("#maze-canvas", width > height && width < 881 ? "#board" : "footer"))
+                    .as("controls over the maze")
+                    .isLessThanOrEqualTo(0);
+        }
+        browser.resize(1280, 800, false);
+    }
+
+    @Test
+    void allSensors_areInViewAtOnce_onALaptop() throws IOException {
+        Path games = folder.resolve("laptop.html");
+        Files.writeString(games, ReplayPage.html(SyntheticReplay.isolatedGames(INPUTS)));
+        browser.resize(1366, 620, false);
+        browser.open(games);
+        browser.waitUntil("window.player !== undefined");
+        assertThat(number("(m => m.scrollHeight - m.clientHeight)(document.querySelector('#mind'))"))
+                .isLessThanOrEqualTo(0);
+        assertThat(number("document.documentElement.scrollHeight - innerHeight"))
+                .isLessThanOrEqualTo(0);
+        browser.resize(1280, 800, false);
+    }
+
+    @Test
+    void fixedDirection_showsTheNetworkInEveryStep() {
+        browser.evaluate("player.setDirection(0)");
+        assertThat(number("player.recording.column.preference0.filter(value => value === WALL).length"))
+                .as("steps with a wall above")
+                .isGreaterThan(100);
+        assertThat(browser.evaluate("[...player.recording.column.preference0.keys()]"
+                                + ".every(step => player.mind.isOpen(0, player.mind.networkStep(0, step)))")
+                        .asBoolean())
+                .isTrue();
+        assertThat(browser.evaluate("player.mind.isOpen(0, 100)").asBoolean()).isFalse();
+        String network = "(c => { player.mind.draw(player.step); const d = devicePixelRatio;"
+                + " const p = c.getContext('2d').getImageData(player.mind.at.first * d, 60 * d, 200 * d, 200 * d).data;"
+                + " return p.filter((v, i) => i % 4 < 3 && v > 40).length; })(document.getElementById('mind-canvas'))";
+        browser.evaluate("player.move(100)");
+        assertThat(number(network)).as("pixels of the network").isGreaterThan(500);
+    }
+
+    @Test
+    void help_explainsThePage_beforeTheKeys() {
+        browser.click("#help-button");
+        assertThat(browser.text("#help h2")).isEqualTo("How to read this page");
+        assertThat(browser.text("#help dl")).contains("Output").contains("highest output");
+        assertThat(browser.evaluate("document.querySelector('#help').open").asBoolean())
+                .isTrue();
+    }
+
+    private static double number(String expression) {
+        return browser.evaluate(expression).asDouble();
+    }
+
+    /** Height in CSS pixels that two elements have in common; negative: the distance between them. */
+    private static double overlap(String one, String other) {
+        return number("((a, b) => Math.min(Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top),"
+                + " Math.min(a.right, b.right) - Math.max(a.left, b.left)))"
+                + "(document.querySelector('" + one + "').getBoundingClientRect(), document.querySelector('" + other
+                + "').getBoundingClientRect())");
     }
 
     @Test

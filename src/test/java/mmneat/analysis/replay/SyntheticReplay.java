@@ -2,6 +2,7 @@ package mmneat.analysis.replay;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import mmneat.analysis.replay.ReplayNetwork.Kind;
 import mmneat.analysis.replay.ReplayNetwork.Link;
 import mmneat.analysis.replay.ReplayNetwork.Node;
@@ -16,8 +17,31 @@ final class SyntheticReplay {
     private SyntheticReplay() {}
 
     static Replay record() {
-        ReplayNetwork network = new ReplayNetwork(
-                List.of("Bias", "Distance"),
+        ReplayNetwork network = network(List.of("Bias", "Distance"));
+        ReplayRecorder recorder = new ReplayRecorder(network, 1);
+        recorder.addMaze(maze());
+        record(recorder, new ReplayStep(network), 10);
+        return recorder.finish(new ReplayTitle("A <square> & its \"runner\"", "made for a test </script>"));
+    }
+
+    /** Games with long names and scores of five digits, played by a network with this number of sensors. */
+    static Replay isolatedGames(int inputs) {
+        ReplayNetwork network = network(IntStream.rangeClosed(1, inputs)
+                .mapToObj(i -> "Ghost " + i + " approaching")
+                .toList());
+        ReplayRecorder recorder = new ReplayRecorder(network, 1);
+        recorder.addMaze(maze());
+        for (String game : new String[] {"Pills", "Ghosts 3", "Ghosts 4"}) {
+            recorder.startGame(game);
+            record(recorder, new ReplayStep(network), 170);
+        }
+        return recorder.finish(new ReplayTitle("isolated · a network", "training rules, seed 0, network 26773"));
+    }
+
+    private static ReplayNetwork network(List<String> inputs) {
+        int first = inputs.size();
+        return new ReplayNetwork(
+                inputs,
                 List.of(
                         new Node(Kind.HIDDEN, -1, 0.5),
                         new Node(Kind.POLICY, 0, 1),
@@ -25,15 +49,16 @@ final class SyntheticReplay {
                         new Node(Kind.POLICY, 1, 1),
                         new Node(Kind.PREFERENCE, 1, 1)),
                 List.of(
-                        new Link(0, 2, 1.5, false),
-                        new Link(1, 2, -2, false),
-                        new Link(2, 3, 1, false),
-                        new Link(2, 5, -1, false),
-                        new Link(2, 2, 0.5, true)),
+                        new Link(0, first, 1.5, false),
+                        new Link(1, first, -2, false),
+                        new Link(first, first + 1, 1, false),
+                        new Link(first, first + 3, -1, false),
+                        new Link(first, first, 0.5, true)),
                 List.of("module 1", "module 2"));
-        ReplayRecorder recorder = new ReplayRecorder(network, 1);
-        recorder.addMaze(maze());
-        ReplayStep step = new ReplayStep(network);
+    }
+
+    /** A game of two levels. */
+    private static void record(ReplayRecorder recorder, ReplayStep step, int pointsPerPill) {
         int score = 0;
         for (int level = 0; level < 2; level++) {
             step.level = level;
@@ -43,7 +68,7 @@ final class SyntheticReplay {
             for (int t = 0; t < STEPS_PER_LEVEL; t++) {
                 if (t % 4 == 1) {
                     step.pills[t / 4] = false;
-                    score += 10;
+                    score += pointsPerPill;
                 }
                 boolean end = level == 1 && t == STEPS_PER_LEVEL - 1;
                 if (end) {
@@ -54,7 +79,6 @@ final class SyntheticReplay {
             }
         }
         recorder.endGame("All mazes cleared");
-        return recorder.finish(new ReplayTitle("A <square> & its \"runner\"", "made for a test </script>"));
     }
 
     private static void fill(ReplayStep step, int t, int score, int module) {
