@@ -1,6 +1,6 @@
 package mmneat.evolution;
 
-/** A task broke its promises: what it says of a genotype is no evaluation. The message says whose, and what is wrong. */
+/** Thrown when a task returns an invalid evaluation. The message names the task and says what is wrong. */
 public final class BadEvaluationException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

@@ -2,12 +2,12 @@ package mmneat.evolution;
 
 import java.util.concurrent.ThreadFactory;
 
-/** Makes threads that do not keep the program alive. */
+/** Factory of daemon threads: threads that do not keep the program alive. */
 public final class DaemonThreads {
 
     private DaemonThreads() {}
 
-    /** Makes threads of one name. */
+    /** Returns a factory whose threads all have this name. */
     public static ThreadFactory named(String name) {
         return task -> {
             Thread thread = new Thread(task, name);

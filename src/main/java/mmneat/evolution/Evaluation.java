@@ -4,12 +4,13 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * What an evaluation says of a genotype.
+ * The result of evaluating a genotype: its scores, and how often each of its modules was chosen.
  *
- * @param objectives scores that are selected for, all maximised and finite, in the order of {@link Task#objectiveNames()}
+ * @param objectives the scores that selection uses, all maximised and finite, in the order of {@link
+ *     Task#objectiveNames()}
  * @param otherScores scores that are only recorded, all finite, in the order of {@link Task#otherScoreNames()}
- * @param moduleUsage for each output module of the genotype how often it was chosen, in that part of the evaluation that
- *     counts for module mutation and for the logs (docs/specification/networks.md, section 6.4)
+ * @param moduleUsage how often each output module of the genotype was chosen, in the part of the evaluation that counts
+ *     for module mutation and for the logs (docs/specification/networks.md, section 6.4)
  * @param outcomes how the trials ended
  */
 public record Evaluation(double[] objectives, double[] otherScores, int[] moduleUsage, Outcomes outcomes) {
@@ -26,32 +27,32 @@ public record Evaluation(double[] objectives, double[] otherScores, int[] module
         Objects.requireNonNull(outcomes, "outcomes");
     }
 
-    /** An evaluation with neither other scores nor episodes. */
+    /** Creates an evaluation with neither other scores nor episodes. */
     public static Evaluation of(int[] moduleUsage, double... objectives) {
         return new Evaluation(objectives, new double[0], moduleUsage, Outcomes.NONE);
     }
 
-    /** Scores that are selected for (a copy). */
+    /** Returns a copy of the scores that selection uses. */
     @Override
     public double[] objectives() {
         return objectives.clone();
     }
 
-    /** Scores that are only recorded (a copy). */
+    /** Returns a copy of the scores that are only recorded. */
     @Override
     public double[] otherScores() {
         return otherScores.clone();
     }
 
-    /** How often each output module was chosen (a copy). */
+    /** Returns a copy of the counts of how often each output module was chosen. */
     @Override
     public int[] moduleUsage() {
         return moduleUsage.clone();
     }
 
     /**
-     * How the trials of an evaluation ended, and what they cost. An episodic task counts one of the first three per episode;
-     * others may leave them 0.
+     * How the trials of an evaluation ended, and what they cost. An episodic task counts one of the first three per
+     * episode; others may leave them 0.
      *
      * @param succeeded episodes with everything done (all levels beaten)
      * @param timedOut episodes ended by a time limit
@@ -60,7 +61,7 @@ public record Evaluation(double[] objectives, double[] otherScores, int[] module
      */
     public record Outcomes(int succeeded, int timedOut, int failed, long steps) {
 
-        /** Of an evaluation without episodes. */
+        /** The outcomes of an evaluation without episodes. */
         public static final Outcomes NONE = new Outcomes(0, 0, 0, 0);
 
         /**
@@ -81,7 +82,7 @@ public record Evaluation(double[] objectives, double[] otherScores, int[] module
             }
         }
 
-        /** Both together. */
+        /** Returns the sums of both. */
         public Outcomes plus(Outcomes other) {
             return new Outcomes(
                     succeeded + other.succeeded, timedOut + other.timedOut, failed + other.failed, steps + other.steps);

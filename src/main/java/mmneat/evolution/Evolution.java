@@ -15,10 +15,11 @@ import mmneat.nsga2.Variation;
 import mmneat.random.ResumableRandom;
 
 /**
- * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II, on request with the objectives that TUG chooses.
+ * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II, optionally with the objectives that TUG chooses.
  *
- * <p>Parents are evaluated anew in every generation: a score is never carried over, so the scheme is elitist only with respect to
- * the current generation's noisy scores. After the last generation the final parents are evaluated once more.
+ * <p>Parents are evaluated anew in every generation: a score is never carried over, so the scheme is elitist only with
+ * respect to the current generation's noisy scores. After the last generation the final parents are evaluated once
+ * more.
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 5.2; docs/specification/evolution.md, section 1.
  */
@@ -37,10 +38,10 @@ public final class Evolution {
     private TugState tug;
 
     /**
-     * An evolution that continues from a state; a new one begins in {@link EvolutionState#initial}.
+     * An evolution that continues from a state. A new evolution starts from {@link EvolutionState#initial}.
      *
-     * @throws IllegalArgumentException if the state has another population size than the settings, or goals that do not fit
-     *     them
+     * @throws IllegalArgumentException if the state has another population size than the settings, or goals that do not
+     *     fit them
      */
     public Evolution(
             EvolutionSettings settings, EvolutionState state, Evaluator evaluator, EvolutionObserver observer) {
@@ -50,7 +51,8 @@ public final class Evolution {
     /**
      * An evolution that continues from a state and may end before its last generation.
      *
-     * @param isSolved asked after the evaluation of the parents of each generation: whether the evolution ends with them
+     * @param isSolved called after the parents of each generation have been evaluated; if it returns true, the
+     *     evolution ends with them
      * @throws IllegalArgumentException if the state has another population size than the settings
      */
     public Evolution(
@@ -76,7 +78,9 @@ public final class Evolution {
         settings.tug().ifPresent(policy -> policy.requireFitting(tug));
     }
 
-    /** The evolution of networks for a task, to be set up: {@code Evolution.of(task).generations(50).seed(1).run()}. */
+    /**
+     * Starts to set up the evolution of networks for a task: {@code Evolution.of(task).generations(50).seed(1).run()}.
+     */
     public static EvolutionSetup of(Task task) {
         return new EvolutionSetup(task);
     }
@@ -85,8 +89,8 @@ public final class Evolution {
      * Evolves to the end.
      *
      * @return the final parents, evaluated
-     * @throws java.util.concurrent.CancellationException if the thread is interrupted; the observer has seen the last complete
-     *     generation
+     * @throws java.util.concurrent.CancellationException if the thread is interrupted; the observer has seen the last
+     *     complete generation
      * @throws BadEvaluationException as {@link Evaluator#evaluate}
      * @throws IllegalStateException if an evaluation fails, or a module is to be added to a multitask network
      */

@@ -1,28 +1,29 @@
 package mmneat.evolution;
 
 /**
- * Is told how an evolution goes: for logs, progress and checkpoints. Called by the evolving thread; what it throws ends the
- * evolution.
+ * Receives the events of an evolution, for logs, progress and checkpoints. The evolving thread calls it; an exception
+ * that it throws ends the evolution.
  */
 public interface EvolutionObserver {
 
     /**
-     * An individual has been evaluated.
+     * Called when an individual has been evaluated.
      *
      * @param generation number of the generation
-     * @param done how many of this generation have been, this one included
-     * @param total how many of this generation will be: parents and children; the parents alone at the very end
+     * @param done number of individuals of this generation evaluated so far, this one included
+     * @param total number of individuals of this generation: parents and children, or the parents alone after the last
+     *     generation
      */
     default void evaluated(int generation, int done, int total, Individual individual) {}
 
     /**
-     * A generation is over.
+     * Called when a generation is complete.
      *
-     * @param generation what happened
-     * @param next the state from which the next generation starts: what a checkpoint holds
+     * @param generation its parents, children and their scores
+     * @param next the state from which the next generation starts, for a checkpoint
      */
     default void generationCompleted(Generation generation, EvolutionState next) {}
 
-    /** The final parents have been evaluated, and evolution is over. */
+    /** Called once at the end, after the final parents have been evaluated. */
     default void completed(Generation finalParents) {}
 }

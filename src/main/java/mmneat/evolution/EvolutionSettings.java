@@ -11,14 +11,14 @@ import mmneat.nsga2.Crowding;
 import mmneat.nsga2.ParentSelection;
 
 /**
- * What decides an evolution besides its task.
+ * The settings of an evolution, besides its task.
  *
  * <p>Source: docs/specification/evolution.md, sections 1 to 3.
  *
- * @param seed of the generator that serves everything
- * @param initialPopulationSeed of the initial population alone, if it is to differ
- * @param populationSize parents, and as many children
- * @param generations how many times children are made
+ * @param seed seed of the run's generator
+ * @param initialPopulationSeed separate seed of the initial population, if there is one
+ * @param populationSize number of parents, and of children per generation
+ * @param generations number of generations in which children are made
  * @param cleanFrequency generations between cleanings of the archetype
  * @param initialNetworks the networks that evolution starts from
  * @param parentSelection how parents are chosen, and how survivors' crowding is measured
@@ -39,7 +39,8 @@ public record EvolutionSettings(
     /**
      * Checked settings.
      *
-     * @throws IllegalArgumentException if there are no parents, less than 0 generations or less than 1 between cleanings
+     * @throws IllegalArgumentException if there are no parents, less than 0 generations or less than 1 between
+     *     cleanings
      * @throws NullPointerException if a part is missing; the message names it
      */
     public EvolutionSettings {
@@ -76,7 +77,8 @@ public record EvolutionSettings(
     }
 
     /**
-     * The settings of the published experiments for networks that start with one module: 100 parents, 200 generations, seed 0.
+     * The settings of the published experiments for networks that start with one module: 100 parents, 200 generations,
+     * seed 0.
      *
      * @throws IllegalArgumentException if the task has no inputs or no policy neurons
      */

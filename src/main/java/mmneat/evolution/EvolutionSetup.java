@@ -11,10 +11,11 @@ import mmneat.neat.variation.MutationRates;
 import mmneat.neat.variation.VariationSettings;
 
 /**
- * An evolution that is being set up: what is not set is as in the published experiments ({@link EvolutionSettings#published}).
+ * A builder of an evolution. Settings that are not set are those of the published experiments ({@link
+ * EvolutionSettings#published}).
  *
- * <p>The task tells how often each module was chosen ({@link Evaluation#moduleUsage}); the evolution carries this over to module
- * mutation.
+ * <p>The task reports how often each module was chosen ({@link Evaluation#moduleUsage}); module mutation uses these
+ * counts.
  */
 public final class EvolutionSetup {
 
@@ -50,7 +51,7 @@ public final class EvolutionSetup {
     }
 
     /**
-     * Sets how many times children are made.
+     * Sets the number of generations in which children are made.
      *
      * @throws IllegalArgumentException if it is less than 0
      */
@@ -59,8 +60,8 @@ public final class EvolutionSetup {
     }
 
     /**
-     * Starts with networks of this many output modules, which choose among them by preference neurons; also 1, if modules are to be
-     * added by mutation.
+     * Starts with networks that have this number of output modules and a preference neuron in each. Use 1 if mutation
+     * adds the modules.
      *
      * @throws IllegalArgumentException if it is less than 1
      */
@@ -87,7 +88,7 @@ public final class EvolutionSetup {
         return with(settings.initialNetworks(), settings.variation().withMutation(rate, operator));
     }
 
-    /** Evaluates in another way than one individual after the other; the evaluator's task must be this one. */
+    /** Replaces the sequential evaluator. The new evaluator must evaluate the same task. */
     public EvolutionSetup evaluator(Evaluator other) {
         evaluator = Objects.requireNonNull(other, "evaluator");
         return this;
@@ -99,7 +100,7 @@ public final class EvolutionSetup {
         return this;
     }
 
-    /** Adds an observer that gets each generation after its end, the final parents included. */
+    /** Adds an observer that receives each completed generation, and the final parents. */
     public EvolutionSetup onGeneration(Consumer<Generation> consumer) {
         return observer(new EvolutionObserver() {
             @Override
@@ -119,7 +120,7 @@ public final class EvolutionSetup {
      *
      * @return the final parents, evaluated; {@link Generation#champion} is the best of them
      * @throws java.util.concurrent.CancellationException if the thread is interrupted
-     * @throws BadEvaluationException if the task's scores or module usage are not what they should be
+     * @throws BadEvaluationException if the task returns an invalid evaluation
      */
     public Generation run() {
         return new Evolution(settings, EvolutionState.initial(settings), evaluator, all(List.copyOf(observers))).run();

@@ -8,11 +8,12 @@ import mmneat.neat.ModuleLayout;
 import mmneat.random.ResumableRandom;
 
 /**
- * An evolution between two generations: everything that decides how it goes on. An {@link Evolution} made from a state
- * continues exactly as the one that was in that state. The population's genes are the pool's: the two belong together.
+ * The complete state of an evolution between two generations. An {@link Evolution} made from it continues exactly like
+ * the evolution that was in this state. Population and pool belong together: the pool holds the innovation numbers of
+ * the population's genes.
  *
- * @param generation number of the generation to come, which is also how many are done
- * @param population its parents, in the order in which they will be evaluated
+ * @param generation number of the next generation, which equals the number of completed generations
+ * @param population the parents of the next generation, in the order in which they will be evaluated
  * @param pool counters and archetype
  * @param random the generator
  * @param tug the goals of TUG; null if the run does not use it
@@ -20,7 +21,7 @@ import mmneat.random.ResumableRandom;
 public record EvolutionState(
         int generation, List<Genotype> population, GenePool.State pool, ResumableRandom.State random, TugState tug) {
 
-    /** Id that the original gives to the network by which the archetype is made. */
+    /** Id of the example network from which the original makes the archetype. */
     private static final long EXAMPLE_ID = -1;
 
     /**
@@ -42,10 +43,11 @@ public record EvolutionState(
     }
 
     /**
-     * The state in which a new evolution begins.
+     * Creates the state in which a new evolution starts.
      *
-     * <p>An example network is made first, from which the archetype is copied; then the population. Then the generator starts
-     * again: evolution reuses the numbers that made the example and the population, as in the original.
+     * <p>First an example network is made, and the archetype is copied from it; then the population is made. Then the
+     * generator is reset to its seed. So evolution draws the same random numbers that made the example and the
+     * population, as in the original.
      *
      * <p>Source: docs/specification/evolution.md, section 3.1.
      */
@@ -66,10 +68,11 @@ public record EvolutionState(
     }
 
     /**
-     * Makes sure that this state, which may come from a file, is one that an evolution with these settings can be in.
+     * Checks that an evolution with these settings can be in this state, which may come from a file.
      *
-     * @throws IllegalArgumentException if the population has another size or other inputs, outputs or modules than the settings
-     *     make, if two genotypes have one id, or if the population is not of the pool; the message says which
+     * @throws IllegalArgumentException if the population has another size or other inputs, outputs or modules than the
+     *     settings make, if two genotypes have one id, or if the population does not belong to the pool; the message
+     *     says which
      */
     public void requireReachable(EvolutionSettings settings) {
         if (population.size() != settings.populationSize()) {

@@ -1,6 +1,9 @@
 package mmneat.evolution;
 
-/** A task threw an exception while it evaluated a genotype. The message says which genotype, when, and what was thrown. */
+/**
+ * Thrown when a task throws an exception during an evaluation. The message says which genotype, when, and what the task
+ * threw.
+ */
 public final class FailedEvaluationException extends IllegalStateException {
     private static final long serialVersionUID = 1;
 
@@ -9,7 +12,7 @@ public final class FailedEvaluationException extends IllegalStateException {
         super(where + (cause instanceof FailedEvaluationException ? ", " + cause.getMessage() : ": " + cause), cause);
     }
 
-    /** What the task threw. */
+    /** Returns what the task threw. */
     public Throwable thrown() {
         return getCause() instanceof FailedEvaluationException inner ? inner.thrown() : getCause();
     }

@@ -6,7 +6,7 @@ import java.util.function.BiFunction;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
-/** A task whose evaluation is a function: {@link Task#of}. */
+/** The task that {@link Task#of} makes from an evaluation function. */
 record FunctionTask(
         List<String> objectiveNames,
         List<String> inputLabels,

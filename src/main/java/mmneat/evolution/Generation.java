@@ -7,7 +7,7 @@ import java.util.function.ToDoubleFunction;
 import mmneat.neat.variation.Offspring;
 
 /**
- * What happened in one generation.
+ * The parents and children of one generation, with their scores.
  *
  * @param number from 0
  * @param parents in population order
@@ -15,7 +15,7 @@ import mmneat.neat.variation.Offspring;
  *     evaluated
  * @param children the children after their evaluation, in the order of {@code offspring}
  * @param archetypeSize entries of the archetype when the children had been made
- * @param tug what TUG did, if the run uses it and children were made
+ * @param tug what TUG changed, if the run uses it and children were made
  */
 public record Generation(
         int number,
@@ -56,7 +56,8 @@ public record Generation(
     }
 
     /**
-     * The parent with the largest {@link Task#championRank}; of several equally good the last, as in the original.
+     * Returns the parent with the largest {@link Task#championRank}. Of equally good parents it returns the last, as in
+     * the original.
      *
      * @throws IllegalArgumentException if there are no parents
      */
@@ -65,7 +66,8 @@ public record Generation(
     }
 
     /**
-     * The best of a population in an objective; of several equally good the last, as in the original.
+     * Returns the best individual of a population in an objective. Of equally good ones it returns the last, as in the
+     * original.
      *
      * @throws IllegalArgumentException if the population is empty
      * @throws IndexOutOfBoundsException if there is no such objective

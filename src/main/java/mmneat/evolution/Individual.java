@@ -8,7 +8,7 @@ import mmneat.neat.Genotype;
  *
  * @param genotype the genotype, with the module usage of this evaluation
  * @param evaluation its scores
- * @param nanoseconds how long the evaluation took; of no consequence for evolution
+ * @param nanoseconds how long the evaluation took; evolution does not use it
  */
 public record Individual(Genotype genotype, Evaluation evaluation, long nanoseconds) {
 
@@ -22,7 +22,7 @@ public record Individual(Genotype genotype, Evaluation evaluation, long nanoseco
         Objects.requireNonNull(evaluation, "evaluation");
     }
 
-    /** The individual that an evaluation makes of a genotype. */
+    /** Combines a genotype and its evaluation. */
     static Individual of(Genotype genotype, Evaluation evaluation, long nanoseconds) {
         return new Individual(genotype.withModuleUsage(evaluation.moduleUsage()), evaluation, nanoseconds);
     }

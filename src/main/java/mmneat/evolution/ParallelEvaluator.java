@@ -15,9 +15,11 @@ import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
 /**
- * Evaluates individuals on several threads. Each evaluation has a generator of its own, which depends on the run's seed, the
- * generation and the individual's place alone: results are the same for any number of threads, but they are not those of the
- * original, in which all evaluations share one sequence.
+ * Evaluates individuals on several threads. Each evaluation has its own generator, whose seed depends only on the run's
+ * seed, the generation and the individual's index.
+ *
+ * <p>Results are the same for any number of threads. They differ from the original's, in which all evaluations share
+ * one generator.
  */
 public final class ParallelEvaluator implements Evaluator, AutoCloseable {
 
@@ -27,11 +29,11 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
     private final BlockingQueue<Task> idleTasks;
 
     /**
-     * An evaluator with threads of its own, to be closed.
+     * Starts the threads. {@link #close} stops them.
      *
      * @param tasks makes a task for each thread
-     * @param threadCount how many threads, at least 1
-     * @throws IllegalArgumentException if it is less
+     * @param threadCount number of threads, at least 1
+     * @throws IllegalArgumentException if {@code threadCount} is less than 1
      */
     public ParallelEvaluator(Supplier<Task> tasks, int threadCount, long runSeed) {
         if (threadCount < 1) {
@@ -100,7 +102,7 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
         return mixed ^ (mixed >>> 31);
     }
 
-    /** Gives up the threads; evaluations in progress are interrupted. */
+    /** Stops the threads; evaluations in progress are interrupted. */
     @Override
     public void close() {
         threads.shutdownNow();

@@ -3,13 +3,14 @@ package mmneat.evolution;
 import java.util.Arrays;
 
 /**
- * Least, mean, largest and standard deviation of a sample, summed in the original's order so that the last bit is the same.
+ * Minimum, mean, maximum and standard deviation of a sample, summed in the original's order so that every bit is the
+ * same.
  *
  * <p>Source: docs/specification/evolution.md, sections 1.3 and 5.2.
  *
- * @param min the least value
+ * @param min the minimum
  * @param mean the running mean
- * @param max the largest value
+ * @param max the maximum
  * @param deviation the sample standard deviation (n - 1); NaN for a single value
  */
 public record SampleStatistics(double min, double mean, double max, double deviation) {

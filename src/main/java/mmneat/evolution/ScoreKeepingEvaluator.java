@@ -9,8 +9,8 @@ import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
 /**
- * An evaluator for deterministic tasks, which does not evaluate the parents of a generation again: it returns the evaluations of
- * the generation in which they were parents or children.
+ * An evaluator for deterministic tasks that does not evaluate parents again. It returns their evaluation of the
+ * previous generation, in which they were parents or children.
  *
  * <p>The results are those of the wrapped evaluator. They differ only in the recorded time of an evaluation.
  */
@@ -21,7 +21,10 @@ public final class ScoreKeepingEvaluator implements Evaluator {
     /** Individuals of the last generation by the id of their genotype. */
     private Map<Long, Individual> kept = Map.of();
 
-    /** @param evaluator evaluates what is not known yet; its task must be deterministic ({@link Task#isDeterministic}) */
+    /**
+     * @param evaluator evaluates the genotypes without a kept evaluation; its task must be deterministic ({@link
+     *     Task#isDeterministic})
+     */
     public ScoreKeepingEvaluator(Evaluator evaluator) {
         this.evaluator = evaluator;
     }

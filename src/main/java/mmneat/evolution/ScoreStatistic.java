@@ -3,13 +3,14 @@ package mmneat.evolution;
 import java.util.Arrays;
 
 /**
- * A statistic that summarises several scores in one: those of the trials of an evaluation, or of the members of a population.
+ * A statistic that summarises several scores in one: those of the trials of an evaluation, or of the members of a
+ * population.
  *
  * <p>Source: docs/specification/evolution.md, section 1.3, and docs/specification/original-options.md, section 4.7.
  */
 public enum ScoreStatistic {
 
-    /** The running mean, in the original's form, so that the last bit is the same. */
+    /** The running mean, computed as in the original so that every bit is the same. */
     AVERAGE("Average") {
         @Override
         public double of(double... scores) {
@@ -17,7 +18,7 @@ public enum ScoreStatistic {
         }
     },
 
-    /** The largest. */
+    /** The maximum. */
     MAX("Max") {
         @Override
         public double of(double... scores) {
@@ -26,7 +27,7 @@ public enum ScoreStatistic {
         }
     },
 
-    /** The smallest. */
+    /** The minimum. */
     MIN("Min") {
         @Override
         public double of(double... scores) {
@@ -35,7 +36,7 @@ public enum ScoreStatistic {
         }
     },
 
-    /** The value in the middle; the mean of the two in the middle if their number is even. */
+    /** The median; the mean of the two middle values if the number of values is even. */
     MEDIAN("Median") {
         @Override
         public double of(double... scores) {
@@ -45,7 +46,9 @@ public enum ScoreStatistic {
         }
     },
 
-    /** The 75th percentile, at position 0.75 (n + 1) of n sorted values, interpolated linearly between two neighbours. */
+    /**
+     * The 75th percentile, at position 0.75 (n + 1) of n sorted values, interpolated linearly between two neighbours.
+     */
     UPPER_QUARTILE("UpperQuartile") {
         @Override
         public double of(double... scores) {
@@ -63,8 +66,8 @@ public enum ScoreStatistic {
     },
 
     /**
-     * The most frequent. In ascending order, values less than 0.001 above the first of a group belong to it and count as it;
-     * of equally frequent groups the largest wins.
+     * The mode. In ascending order, values less than 0.001 above the first value of a group belong to that group and
+     * count as that value. Of equally frequent groups, the one with the largest values is chosen.
      */
     MODE("Mode") {
         @Override

@@ -8,7 +8,7 @@ import java.util.function.LongSupplier;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
-/** Evaluates one individual after the other with the run's generator: exactly as the original does. */
+/** Evaluates one individual after the other with the run's generator, exactly as the original does. */
 public final class SequentialEvaluator implements Evaluator {
 
     private final Task task;
@@ -46,7 +46,7 @@ public final class SequentialEvaluator implements Evaluator {
     static Individual evaluate(
             Task task, Genotype genotype, int generation, ResumableRandom random, LongSupplier nanoTime) {
         long start = nanoTime.getAsLong();
-        // What happens to the run's generator must not depend on whether a deterministic task is evaluated again.
+        // The state of the run's generator must not depend on whether a deterministic task is evaluated again.
         ResumableRandom generator = task.isDeterministic() ? new ResumableRandom(genotype.id()) : random;
         String whose = "genotype " + genotype.id() + " in generation " + generation;
         Evaluation evaluation = evaluation(task, genotype, generator, whose);
@@ -54,7 +54,7 @@ public final class SequentialEvaluator implements Evaluator {
         requireScores(whose, "objective", evaluation.objectives(), task.objectiveNames());
         requireScores(whose, "other score", evaluation.otherScores(), task.otherScoreNames());
         if (evaluation.moduleUsage().length != genotype.modules()) {
-            // Any other length would open the gate of module mutation.
+            // A wrong length could let module mutation add a module.
             throw new BadEvaluationException(
                     whose + " has " + genotype.modules() + " modules, but the task gave the usage of "
                             + evaluation.moduleUsage().length + ": give one number for each module");
@@ -76,7 +76,7 @@ public final class SequentialEvaluator implements Evaluator {
         }
     }
 
-    /** Scores are what names say, and numbers that have a place in an order, in logs and in figures. */
+    /** Checks that there is one score per name and that every score is finite. */
     private static void requireScores(String whose, String what, double[] scores, List<String> names) {
         if (scores.length != names.size()) {
             throw new BadEvaluationException(

@@ -6,17 +6,17 @@ import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
 /**
- * What networks are evolved for: a domain that evaluates a genotype.
+ * The domain for which networks are evolved: it evaluates genotypes.
  *
- * <p>An instance is used by one thread at a time. All its answers but {@link #evaluate} are the same for its whole life, and
- * an evaluation depends on nothing but the genotype and the generator: then a run can be repeated and resumed.
+ * <p>An instance is used by one thread at a time. All methods except {@link #evaluate} always return the same values.
+ * An evaluation depends only on the genotype and the generator, so that a run can be repeated and resumed.
  *
  * <p>Source: docs/specification/evolution.md, section 1.3.
  */
 public interface Task {
 
     /**
-     * A task whose evaluation is a function.
+     * Creates a task from an evaluation function.
      *
      * @param objectives names of the objectives, all maximised
      * @param inputs what each input of a network means
@@ -44,47 +44,47 @@ public interface Task {
     }
 
     /**
-     * Whether the scores of a genotype are the same in every evaluation. They can then be kept ({@code keepScores}) instead of
-     * being computed again in every generation. The evaluations of a deterministic task do not draw from the run's generator:
-     * each gets a generator of its own, seeded with the genotype's id, for example for ties between preference neurons.
+     * Whether the scores of a genotype are the same in every evaluation. They can then be kept ({@code keepScores})
+     * instead of being computed again in every generation. The evaluations of a deterministic task do not draw from the
+     * run's generator: each gets a generator of its own, seeded with the genotype's id, for example for ties between
+     * preference neurons.
      */
     default boolean isDeterministic() {
         return false;
     }
 
     /**
-     * Names of the scores that are recorded but not selected for, in the order of {@link Evaluation#otherScores()}; they need
-     * not differ.
+     * Names of the scores that are recorded but not selected for, in the order of {@link Evaluation#otherScores()};
+     * they need not differ.
      */
     default List<String> otherScoreNames() {
         return List.of();
     }
 
     /**
-     * {@link #otherScoreNames()} with the way in which each is formed from the trials where that is worth saying, for example
-     * {@code GameScore[Max]}: how summaries over runs name them.
+     * {@link #otherScoreNames()} with the way in which each is formed from the trials where that is worth saying, for
+     * example {@code GameScore[Max]}: how summaries over runs name them.
      */
     default List<String> otherScoreLabels() {
         return otherScoreNames();
     }
 
     /**
-     * The score that tells how good an individual is, larger is better: that of learning curves and champions. The first
-     * objective unless a task says otherwise.
+     * Returns the score that learning curves and champions use; larger is better. The default is the first objective.
      */
     default double championScore(Evaluation evaluation) {
         return evaluation.objectives()[0];
     }
 
     /**
-     * What is compared when the champion of a generation is chosen; of equal ones the last is champion. {@link
-     * #championScore} unless a task compares more coarsely.
+     * Returns the number by which the champion of a generation is chosen: the last individual with the largest number.
+     * The default is {@link #championScore}; a task may compare more coarsely.
      */
     default double championRank(Evaluation evaluation) {
         return championScore(evaluation);
     }
 
-    /** What each input of a network means, in the order of the inputs. */
+    /** Labels of the network's inputs, in order. */
     List<String> inputLabels();
 
     /** Number of inputs of a network. */
@@ -95,7 +95,7 @@ public interface Task {
     /** Number of policy neurons in each output module of a network. */
     int policyNeuronsPerModule();
 
-    /** How many trials make one evaluation. */
+    /** Number of trials in one evaluation. */
     default int trials() {
         return 1;
     }

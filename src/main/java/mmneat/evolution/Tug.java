@@ -11,14 +11,15 @@ import mmneat.nsga2.NondominatedSorting;
 import mmneat.nsga2.SurvivorSelection;
 
 /**
- * Targeting unachieved goals (TUG): a policy that hands selection the objectives whose goals the population has not reached.
+ * Targeting unachieved goals (TUG): a policy that gives selection only the objectives whose goals the population has
+ * not reached.
  *
- * <p>Every objective has a goal. An objective whose goal is reached is left out of selection until all goals are reached; then
- * all goals rise. The policy draws no random numbers and keeps no state of its own: {@link #step} maps one {@link TugState} to
- * the next.
+ * <p>Every objective has a goal. An objective whose goal is reached is left out of selection until all goals are
+ * reached; then all goals rise. The policy draws no random numbers and keeps no state of its own: {@link #step} maps
+ * one {@link TugState} to the next.
  *
- * <p>Source: J. Schrum, R. Miikkulainen: Evolving agent behavior in multiobjective domains using fitness-based shaping (GECCO
- * 2010); docs/specification/original-options.md, section 4.
+ * <p>Source: J. Schrum, R. Miikkulainen: Evolving agent behavior in multiobjective domains using fitness-based shaping
+ * (GECCO 2010); docs/specification/original-options.md, section 4.
  */
 public final class Tug {
 
@@ -28,7 +29,7 @@ public final class Tug {
         this.settings = settings;
     }
 
-    /** The state in which a new run begins. */
+    /** Returns the state in which a new run starts. */
     TugState initial() {
         double[] goals = settings.initialGoals();
         return new TugState(
@@ -40,7 +41,7 @@ public final class Tug {
     }
 
     /**
-     * Makes sure that a state belongs to these settings.
+     * Checks that a state fits these settings.
      *
      * @throws IllegalArgumentException if it has another number of goals
      */
@@ -52,7 +53,8 @@ public final class Tug {
     }
 
     /**
-     * The step of a generation: to be taken after the parents' evaluation and before the first child is made.
+     * Computes the state for one generation. Call it after the parents have been evaluated and before the first child
+     * is made.
      *
      * @param generation from 0
      * @param scores {@code scores[parent][objective]}, in population order

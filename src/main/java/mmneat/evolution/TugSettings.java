@@ -13,15 +13,16 @@ import java.util.stream.DoubleStream;
  *
  * <p>Source: docs/specification/original-options.md, section 4.1.
  *
- * @param startingGoals by objective: where averages start and restart; the objective's minimum score
- * @param initialGoals by objective: the goals of a run that begins ({@code setInitialTUGGoals}, {@code initialTUGGoal0}, ...)
+ * @param startingGoals by objective: the value at which averages start and restart, which is the objective's minimum
+ *     score
+ * @param initialGoals by objective: the goals of a new run ({@code setInitialTUGGoals}, {@code initialTUGGoal0}, ...)
  * @param statistics how the population's scores are summarised
  * @param increase how goals rise
- * @param options the switches that are on
- * @param thrashingRatio factor of a goal that was reached and lost, with {@link Option#RISE_WHEN_THRASHING}
+ * @param options the enabled options
+ * @param thrashingRatio factor by which a goal rises that was reached and lost, with {@link Option#RISE_WHEN_THRASHING}
  *     ({@code increasingTUGGoalRatio})
  * @param remainingRatio factor of the goals of active objectives in each generation ({@code remainingTUGGoalRatio})
- * @param window the generations in question
+ * @param window the generations in which TUG is used
  */
 public record TugSettings(
         double[] startingGoals,
@@ -33,7 +34,7 @@ public record TugSettings(
         double remainingRatio,
         Window window) {
 
-    /** What can be switched on. */
+    /** The optional rules. */
     public enum Option {
         /** A goal that was reached and lost rises ({@code tugGoalsIncreaseWhenThrashing}). */
         RISE_WHEN_THRASHING,
@@ -87,7 +88,7 @@ public record TugSettings(
     }
 
     /**
-     * The generations in question.
+     * The generations in which TUG is used.
      *
      * @param first the first in which selection uses TUG ({@code startTUGGeneration})
      * @param last the last ({@code endTUGGeneration})

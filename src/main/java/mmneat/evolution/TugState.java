@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * The state of TUG between two generations: a goal per objective, and what concerns all of them. Immutable.
+ * The state of TUG between two generations: a goal per objective, and the values common to all objectives. Immutable.
  *
  * <p>Source: docs/specification/original-options.md, section 4.2.
  *

@@ -1,7 +1,7 @@
 package mmneat.evolution;
 
 /**
- * What TUG did in one generation, after the parents were evaluated.
+ * The result of TUG in one generation, computed after the parents were evaluated.
  *
  * @param after the state with which children are made and survivors chosen
  * @param performance p: the population's performance in each objective

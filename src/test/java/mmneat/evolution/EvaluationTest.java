@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 class EvaluationTest {
 
     @Test
-    void evaluation_sharesItsNumbersWithNobody() {
+    void evaluation_copiesItsArrays() {
         double[] objectives = {1, 2};
         double[] otherScores = {3};
         int[] usage = {4, 5};

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 
 class EvolutionSetupTest {
 
-    /** Wants large weights, and says that its modules are chosen equally often. */
+    /** Rewards large weights and reports that all modules are chosen equally often. */
     private static final Task WEIGHTS = Task.of(List.of("Weights"), List.of("Bias"), 1, (genotype, random) -> {
         int[] usage = new int[genotype.modules()];
         java.util.Arrays.fill(usage, 1);
@@ -24,7 +24,7 @@ class EvolutionSetupTest {
     });
 
     @Test
-    void run_isThatOfTheLoopByHand() {
+    void run_equalsTheLoopWrittenByHand() {
         Generation last =
                 Evolution.of(WEIGHTS).populationSize(6).generations(4).seed(3).run();
 

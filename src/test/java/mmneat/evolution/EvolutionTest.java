@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The loop, with tasks that have nothing to do with a game. */
+/** The loop of evolution, with small tasks that are not games. */
 class EvolutionTest {
 
     @Test
@@ -82,7 +82,7 @@ class EvolutionTest {
     }
 
     @Test
-    void resumedEvolution_continuesAsIfItHadNeverStopped() {
+    void resumedEvolution_continuesExactly() {
         Task task = new SchafferTask();
         EvolutionSettings settings = settings(task, 8, 7, Crowding.WHOLE_POPULATION);
         Recording whole = evolve(settings, task);
@@ -249,7 +249,7 @@ class EvolutionTest {
     }
 
     @Test
-    void statesThatDoNotSuit_areRefused() {
+    void statesOfOtherSettings_areRefused() {
         Task task = new SchafferTask();
         EvolutionState four = EvolutionState.initial(settings(task, 4, 1, Crowding.PER_FRONT));
         EvolutionSettings six = settings(task, 6, 1, Crowding.PER_FRONT);
@@ -264,7 +264,7 @@ class EvolutionTest {
     }
 
     @Test
-    void generationsThatCannotBe_areRefused() {
+    void invalidGenerations_areRefused() {
         assertThatThrownBy(() -> new Generation(-1, List.of(), List.of(), List.of(), 0))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("number must not be negative, is -1");
@@ -303,7 +303,7 @@ class EvolutionTest {
                 new VariationSettings(MutationRates.PUBLISHED.withModuleDuplication(0.1)));
     }
 
-    /** Remembers everything. */
+    /** Records all events. */
     private static class Recording implements EvolutionObserver {
         final List<Generation> generations = new ArrayList<>();
         final List<EvolutionState> states = new ArrayList<>();
@@ -344,7 +344,7 @@ class EvolutionTest {
         }
     }
 
-    /** Says that it has one objective and gives two. */
+    /** Names one objective but returns two scores. */
     private static final class BrokenTask extends SchafferTask {
         @Override
         public List<String> objectiveNames() {
@@ -352,7 +352,7 @@ class EvolutionTest {
         }
     }
 
-    /** Says the same of everybody. */
+    /** Returns the same scores for every genotype. */
     private static class ConstantTask extends SmallTask {
         private final Evaluation evaluation;
 
@@ -376,7 +376,7 @@ class EvolutionTest {
         }
     }
 
-    /** Ranks champions by whole points. */
+    /** Compares champions by whole points. */
     private static final class CoarselyRanked extends SchafferTask {
         @Override
         public double championRank(Evaluation evaluation) {

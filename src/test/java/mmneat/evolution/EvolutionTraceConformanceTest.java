@@ -24,8 +24,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Complete small evolutions are the original's, gene by gene and draw by draw, from the first network to the last child:
- * {@code golden/networks/trace_*.json}. Who becomes a parent and who survives is given there.
+ * Complete small evolutions equal the original's, gene by gene and draw by draw, from the first network to the last
+ * child. Parents and survivors are those of the golden file: {@code golden/networks/trace_*.json}.
  */
 @Tag("conformance")
 class EvolutionTraceConformanceTest {
@@ -40,7 +40,7 @@ class EvolutionTraceConformanceTest {
         ResumableRandom random = new ResumableRandom(seed);
 
         Genotype example = networks.create(-1, random);
-        // The original's example has as many usage counts as the task has modules, for which there is no use.
+        // The original's example network has one unused usage count per module of the task.
         assertThat(example).isEqualTo(expectedExample.withModuleUsage(example.moduleUsage()));
         GenePool pool = GenePool.foundedOn(example);
         assertThat(pool.state()).isEqualTo(GoldenGenotypes.state(trace.get("state_after_archetype")));

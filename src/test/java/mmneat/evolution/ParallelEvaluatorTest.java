@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Each evaluation's generator, seen through a task whose score is the first number drawn. */
+/** The generator of each evaluation, observed through a task whose score is the first number drawn. */
 class ParallelEvaluatorTest {
 
     private static final int POPULATION = 5;
@@ -35,7 +35,7 @@ class ParallelEvaluatorTest {
     }
 
     @Test
-    void generator_dependsOnThePlaceAmongParentsAndChildren_notOnWhoIsEvaluatedTogether() {
+    void generator_dependsOnTheIndexAmongParentsAndChildren_notOnTheBatch() {
         assertThat(draws(2, 7, 4, 2).subList(0, 3)).isEqualTo(draws(2, 7, 4, 0).subList(2, 5));
     }
 
@@ -69,7 +69,7 @@ class ParallelEvaluatorTest {
         }
     }
 
-    /** Scores what its generator draws first. */
+    /** Returns the first number drawn as the score. */
     private static final class DrawingTask extends SmallTask {
         @Override
         public Evaluation evaluate(Genotype evaluated, ResumableRandom random) {

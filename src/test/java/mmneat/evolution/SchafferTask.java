@@ -7,8 +7,8 @@ import mmneat.neat.network.NetworkState;
 import mmneat.random.ResumableRandom;
 
 /**
- * Schaffer's two-objective function of the network's answer x in (-1, 1) to a constant input, with noise: be near -0.5, and be
- * near 0.5. Every x between the two is a compromise that none dominates.
+ * Schaffer's two-objective problem with noise. The network's output for a constant input is x in (-1, 1); one objective
+ * rewards x near -0.5, the other x near 0.5. Every x between the two is Pareto optimal.
  */
 public class SchafferTask extends SmallTask {
 

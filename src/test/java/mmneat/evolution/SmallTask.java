@@ -2,7 +2,7 @@ package mmneat.evolution;
 
 import java.util.List;
 
-/** What tests' tasks share that need no more than one input, one policy neuron and one objective. */
+/** Base class of test tasks with one input, one policy neuron and one objective. */
 public abstract class SmallTask implements Task {
 
     @Override

@@ -80,7 +80,7 @@ class StatisticsTest {
     }
 
     @Test
-    void max_isTheLargest() {
+    void max_isTheMaximum() {
         assertThat(ScoreStatistic.MAX.of(-3, -1, -2)).isEqualTo(-1);
     }
 

@@ -14,7 +14,10 @@ import mmneat.nsga2.Crowding;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
-/** The rules of docs/specification/original-options.md, section 4, by hand and against a plain second form. */
+/**
+ * The rules of docs/specification/original-options.md, section 4: computed by hand, and compared with a plain
+ * implementation.
+ */
 class TugTest {
 
     private static final TugSettings.Window ALWAYS = new TugSettings.Window(-1, Integer.MAX_VALUE, Integer.MAX_VALUE);
@@ -109,7 +112,7 @@ class TugTest {
         assertThat(survivors).containsExactly(1, 2, 4, 3);
     }
 
-    /** Random scores and settings against a form that follows the chapter line by line on arrays. */
+    /** Compares with a plain implementation that follows the chapter line by line, on random scores and settings. */
     @Test
     void step_equalsThePlainForm_withRandomSettings() {
         ResumableRandom random = new ResumableRandom(11);
@@ -158,7 +161,7 @@ class TugTest {
                 .hasMessage("TUG has 2 objectives, the state has no goals");
     }
 
-    /** Section 4.3 on arrays, as it is written there. */
+    /** Section 4.3, implemented on arrays line by line. */
     private static final class PlainTug {
         final int n;
         final double[] goal;

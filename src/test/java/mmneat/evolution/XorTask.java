@@ -8,15 +8,15 @@ import mmneat.neat.network.NetworkState;
 import mmneat.random.ResumableRandom;
 
 /**
- * A task as a user would write it: exclusive or, the smallest task that needs a hidden neuron, with noise on
- * the inputs, and few links as a second objective.
+ * Exclusive or with noisy inputs and, as second objective, few links. It is written as a user would write a task;
+ * exclusive or is the smallest problem that needs a hidden neuron.
  */
 public final class XorTask implements Task {
 
     private final double noise;
     private final int repetitions;
 
-    /** Without noise: nothing depends on chance. */
+    /** The task without noise, which draws no random numbers. */
     static XorTask exact() {
         return new XorTask(Map.of("noise", "0", "repetitions", "1"));
     }
