@@ -3,24 +3,27 @@ package mmneat.nsga2;
 import java.util.Arrays;
 import java.util.List;
 
-/** Among whom the crowding distance is measured. */
+/** The set of individuals among which the crowding distance is measured. */
 public enum Crowding {
 
     /**
-     * Over the whole population, all fronts together, normalised by the range of each objective: what the original does.
-     * Source: docs/specification/evolution.md, section 2.2.
+     * The whole population, all fronts together, normalised by the range of each objective, as in the original. Source:
+     * docs/specification/evolution.md, section 2.2.
      */
     WHOLE_POPULATION {
         @Override
         NondominatedSorting sort(double[][] scores) {
             double[] distance = new double[scores.length];
             int[] order = addDistances(scores, ScoreOrder.identity(scores.length), distance);
-            // The order that the last objective left is the order in which everything after works, ties included.
+            // All later steps, including the breaking of ties, use the order in which the last objective was sorted.
             return NondominatedSorting.of(scores, order, distance);
         }
     },
 
-    /** Within each front, normalised by the front's range of each objective, as published: Deb et al. 2002, section III-B. */
+    /**
+     * Each front separately, normalised by the front's range of each objective, as published: Deb et al. 2002, section
+     * III-B.
+     */
     PER_FRONT {
         @Override
         NondominatedSorting sort(double[][] scores) {
@@ -36,9 +39,9 @@ public enum Crowding {
     abstract NondominatedSorting sort(double[][] scores);
 
     /**
-     * Adds to {@code distance[i]}, for each of {@code members} and in each objective, the gap between its two neighbours as a
-     * share of the range. Exactly one individual at either end of each objective is infinitely far from the others, even
-     * among duplicates.
+     * Adds to {@code distance[i]}, for each of {@code members} and in each objective, the gap between its two
+     * neighbours as a share of the range. Exactly one individual at either end of each objective is infinitely far from
+     * the others, even among duplicates.
      *
      * @return the members sorted by the last objective, ties by the one before it, and so on, then in the given order
      */
@@ -64,7 +67,7 @@ public enum Crowding {
         return order == members ? Arrays.copyOf(members, members.length) : order;
     }
 
-    /** What scores are multiplied by: 1, or 1/2 where they are so far apart that their difference is beyond all numbers. */
+    /** The factor for scores: 1, or 1/2 if their difference would overflow. */
     private static double unit(double least, double greatest) {
         return Double.isInfinite(greatest - least) ? 0.5 : 1;
     }

@@ -12,8 +12,8 @@ public final class Dominance {
     private Dominance() {}
 
     /**
-     * Whether {@code a} is at least as good as {@code b} in every objective and better in one. Equal vectors do not dominate
-     * each other.
+     * Whether {@code a} is at least as good as {@code b} in every objective and better in one. Equal vectors do not
+     * dominate each other.
      *
      * @throws IllegalArgumentException if the vectors differ in length or hold something that is not a number
      */
@@ -35,7 +35,7 @@ public final class Dominance {
         }
     }
 
-    /** The same of vectors that were checked once for all comparisons. */
+    /** As {@link #dominates}, without checking the vectors. */
     static boolean dominatesUnchecked(double[] a, double[] b) {
         boolean better = false;
         for (int objective = 0; objective < a.length; objective++) {

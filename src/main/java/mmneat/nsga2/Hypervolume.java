@@ -6,22 +6,24 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The volume that a set of score vectors dominates above a reference point: the larger, the closer and the broader the front.
+ * The volume that a set of score vectors dominates above a reference point. It grows as the front gets closer to the
+ * optimum and broader.
  *
- * <p>Source: E. Zitzler, L. Thiele: Multiobjective evolutionary algorithms, IEEE Transactions on Evolutionary Computation 3
- * (1999); docs/specification/evolution.md, section 7.
+ * <p>Source: E. Zitzler, L. Thiele: Multiobjective evolutionary algorithms, IEEE Transactions on Evolutionary
+ * Computation 3 (1999); docs/specification/evolution.md, section 7.
  */
 public final class Hypervolume {
 
     private Hypervolume() {}
 
     /**
-     * Measure of the union of the boxes from {@code reference} to each point. A point below the reference in some objective
-     * dominates nothing of it.
+     * Measure of the union of the boxes from {@code reference} to each point. A point below the reference in some
+     * objective dominates nothing of it.
      *
      * @param scores {@code scores[individual][objective]}, all maximised
-     * @param reference least score of each objective
-     * @throws IllegalArgumentException if the vectors and the reference differ in length or are empty, or a number is not finite
+     * @param reference the reference point: one score per objective
+     * @throws IllegalArgumentException if the vectors and the reference differ in length or are empty, or a number is
+     *     not finite
      */
     public static double of(double[][] scores, double[] reference) {
         NondominatedSorting.requireComparable(scores);
@@ -61,8 +63,8 @@ public final class Hypervolume {
     }
 
     /*
-     * Slicing: the union is cut into slices perpendicular to the last axis, at every box's height. A slice's base is the union,
-     * with one axis less, of the boxes that reach as high.
+     * Slicing: the union is cut into slices perpendicular to the last axis, at every box's height. A slice's base is
+     * the union, with one axis less, of the boxes that reach as high.
      */
     private static double unionOfBoxes(List<double[]> boxes, int axes) {
         if (axes == 1) {

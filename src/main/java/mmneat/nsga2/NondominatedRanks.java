@@ -3,17 +3,18 @@ package mmneat.nsga2;
 import java.util.Arrays;
 
 /**
- * Ranks of a population by divide and conquer: rank 0 is dominated by no individual, rank r only by individuals of lower rank.
+ * Ranks of a population by divide and conquer: rank 0 is dominated by no individual, rank r only by individuals of
+ * lower rank.
  *
- * <p>O(n log n) for two objectives, O(n log(n)^(m-1)) for m objectives. Scores are replaced by their positions in the sorted
- * order of each objective (0 is the best), so that comparisons are comparisons of small integers.
+ * <p>O(n log n) for two objectives, O(n log(n)^(m-1)) for m objectives. Scores are replaced by their positions in the
+ * sorted order of each objective (0 is the best), so that comparisons are comparisons of small integers.
  *
- * <p>Source: M. T. Jensen, IEEE Transactions on Evolutionary Computation 7 (2003); F.-A. Fortin, S. Grenier and M. Parizeau,
- * GECCO 2013; M. Buzdalov and A. Shalyto, PPSN 2014.
+ * <p>Source: M. T. Jensen, IEEE Transactions on Evolutionary Computation 7 (2003); F.-A. Fortin, S. Grenier and M.
+ * Parizeau, GECCO 2013; M. Buzdalov and A. Shalyto, PPSN 2014.
  */
 final class NondominatedRanks {
 
-    /** Up to so many points, comparing all pairs is faster than dividing them. */
+    /** Up to this number of points, comparing all pairs is faster than dividing them. */
     private static final int FEW = 64;
 
     /** As {@link #FEW}, for the smaller one of two sets. */
@@ -22,12 +23,12 @@ final class NondominatedRanks {
     /** {@code position[objective][point]}: 0 for the best score; equal scores share a position. */
     private final int[][] position;
 
-    /** Rank of each point as far as it is known; never too high. */
+    /** Lower bound of the rank of each point; at the end its rank. */
     private final int[] rank;
 
     /**
-     * Prefix maxima of ranks over the positions in the second objective (a Fenwick tree), each plus 1; 0 where it is empty.
-     * It is empty between two sweeps.
+     * Prefix maxima of ranks over the positions in the second objective (a Fenwick tree), each plus 1; 0 where it is
+     * empty. It is empty between two sweeps.
      */
     private final int[] highestRank;
 
@@ -113,8 +114,8 @@ final class NondominatedRanks {
     }
 
     /**
-     * Completes the ranks of {@code points}, which are equal in all objectives after {@code last}. Dominance by other points
-     * is already counted.
+     * Completes the ranks of {@code points}, which are equal in all objectives after {@code last}. Dominance by other
+     * points is already counted.
      *
      * @param points distinct points in lexicographic order
      */
@@ -142,8 +143,8 @@ final class NondominatedRanks {
     }
 
     /**
-     * Raises the ranks of {@code points} above those of the {@code dominators} that dominate them. In all objectives after
-     * {@code last} each dominator is at least as good as each point; the ranks of the dominators are complete.
+     * Raises the ranks of {@code points} above those of the {@code dominators} that dominate them. In all objectives
+     * after {@code last} each dominator is at least as good as each point; the ranks of the dominators are complete.
      */
     private void raiseBy(int[] dominators, int[] points, int last) {
         if (dominators.length == 0 || points.length == 0) {
@@ -179,7 +180,9 @@ final class NondominatedRanks {
         }
     }
 
-    /** Raises the rank of {@code point} if {@code dominator} is at least as good in the objectives 0 to {@code last}. */
+    /**
+     * Raises the rank of {@code point} if {@code dominator} is at least as good in the objectives 0 to {@code last}.
+     */
     private void raise(int dominator, int point, int last) {
         if (rank[point] > rank[dominator]) {
             return;
@@ -193,8 +196,9 @@ final class NondominatedRanks {
     }
 
     /*
-     * Two objectives: the points pass in the order of the first one. The dominators that passed before a point are those at
-     * least as good in the first objective; the tree gives the highest rank among those of them at least as good in the second.
+     * Two objectives: a sweep visits the points in the order of the first objective. The dominators visited before a
+     * point are those at least as good in the first objective. The tree returns the highest rank among those that are
+     * also at least as good in the second objective.
      */
     private void sweep(int[] dominators, int[] points) {
         boolean isAmong = dominators == points;

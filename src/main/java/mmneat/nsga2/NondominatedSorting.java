@@ -5,7 +5,8 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A population sorted into nondominated fronts, with crowding distances. An individual is named by its index in the scores.
+ * A population sorted into nondominated fronts, with crowding distances. Individuals are given by their index in the
+ * scores.
  *
  * <p>Source: Deb et al. 2002, section III; docs/specification/evolution.md, sections 2.2 and 2.3.
  */

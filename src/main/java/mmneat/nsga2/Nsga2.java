@@ -7,10 +7,10 @@ import java.util.function.Function;
 import mmneat.random.ResumableRandom;
 
 /**
- * The complete algorithm for individuals of any kind whose scores do not change: as many children as parents in each generation,
- * binary tournaments, crowding within fronts.
+ * The complete NSGA-II algorithm for individuals of any type whose scores do not change: as many children as parents in
+ * each generation, binary tournaments, crowding within fronts.
  *
- * <p>Networks with noisy scores, whose parents are evaluated anew, are evolved by {@code mmneat.evolution}.
+ * <p>{@code mmneat.evolution} evolves networks with noisy scores; it evaluates parents again in every generation.
  *
  * <p>Source: Deb, Pratap, Agarwal and Meyarivan 2002, section III.
  */
@@ -26,7 +26,7 @@ public final class Nsga2 {
      * @param population the first parents, at least one
      * @param scores the scores of an individual, all maximised and finite
      * @param variation makes children; crossover, if it has any, in half of all cases
-     * @param generations how many times children are made
+     * @param generations number of generations in which children are made
      * @return the last parents, as many as the first
      * @throws IllegalArgumentException if there are no parents or the scores cannot be compared
      */

@@ -8,8 +8,8 @@ import mmneat.random.ResumableRandom;
 /**
  * Parent selection: binary tournaments choose parents, and a {@link Variation} makes children from them.
  *
- * <p>Children are made in passes. A pass without crossover makes one child; a pass with crossover makes two. With a crossover
- * rate of 0.5, about two thirds of all children therefore come from crossover.
+ * <p>Children are made in passes. A pass without crossover makes one child; a pass with crossover makes two. With a
+ * crossover rate of 0.5, about two thirds of all children therefore come from crossover.
  *
  * <p>Source: docs/specification/evolution.md, section 2.4.
  *
@@ -38,9 +38,10 @@ public record ParentSelection(boolean isCrossing, double crossoverRate, Crowding
      * @param parents the parents, at least one if children are wanted
      * @param scores {@code scores[parent][objective]}
      * @param isFirstGeneration whether this is generation 0, whose tournaments differ
-     * @throws IllegalArgumentException if there are not as many scores as parents, no parents although children are wanted, or
-     *     scores that cannot be compared ({@link NondominatedSorting#of})
-     * @throws IllegalStateException if {@code variation} gives no children of two parents, or more than there is room for
+     * @throws IllegalArgumentException if there are not as many scores as parents, no parents although children are
+     *     wanted, or scores that cannot be compared ({@link NondominatedSorting#of})
+     * @throws IllegalStateException if {@code variation} gives no children of two parents, or more than there is room
+     *     for
      */
     public <P, C> List<C> children(
             List<P> parents,

@@ -2,7 +2,7 @@ package mmneat.nsga2;
 
 import java.util.Arrays;
 
-/** Stable sorting of individuals, named by their indices, by a number. */
+/** Stable sorting of individuals, given by their indices, by a number. */
 final class ScoreOrder {
 
     private ScoreOrder() {}
@@ -20,8 +20,8 @@ final class ScoreOrder {
     }
 
     /**
-     * Sorts {@code order} ascending by {@code value}; equal values keep their order. Two infinite crowding distances are equal,
-     * and so are the two zeros.
+     * Sorts {@code order} ascending by {@code value}; equal values keep their order. Two infinite crowding distances
+     * are equal, and so are the two zeros.
      *
      * @param value a number for each individual, never NaN
      */
@@ -39,7 +39,7 @@ final class ScoreOrder {
         return result;
     }
 
-    /** The first index at which {@code value}, which is there, stands in the ascending array. */
+    /** Returns the first index of {@code value}, which the ascending array must contain. */
     static int firstPosition(double[] sorted, double value) {
         int low = 0;
         int high = sorted.length;

@@ -3,7 +3,8 @@ package mmneat.nsga2;
 import java.util.Arrays;
 
 /**
- * Survivor selection: complete fronts from the best on, then the least crowded members of the first front that does not fit.
+ * Survivor selection: complete fronts from the best on, then the least crowded members of the first front that does not
+ * fit.
  *
  * <p>No random number is drawn; the order of the scores decides every tie.
  *
@@ -20,8 +21,8 @@ public final class SurvivorSelection {
      * @param count number of survivors, at most the number of individuals
      * @param crowding the individuals among which the crowding distance is measured
      * @return indices of the survivors, in the order in which they are the next parents
-     * @throws IllegalArgumentException if {@code count} is negative or more than the number of individuals, or scores cannot be compared ({@link
-     *     NondominatedSorting#of})
+     * @throws IllegalArgumentException if {@code count} is negative or more than the number of individuals, or scores
+     *     cannot be compared ({@link NondominatedSorting#of})
      * @throws NullPointerException if the crowding is missing
      */
     public static int[] survivors(double[][] scores, int count, Crowding crowding) {
@@ -39,7 +40,9 @@ public final class SurvivorSelection {
         return survivors;
     }
 
-    /** The least crowded first; of equally crowded ones, those later in the front first. */
+    /**
+     * Returns the least crowded members of a front; of equally crowded members, those later in the front come first.
+     */
     private static int[] leastCrowded(int[] front, int count, NondominatedSorting sorting) {
         int[] ascending = ScoreOrder.ascending(front, sorting::crowding);
         int[] least = new int[count];

@@ -3,7 +3,7 @@ package mmneat.nsga2;
 import mmneat.random.ResumableRandom;
 
 /**
- * Binary tournaments with replacement: two individuals are drawn, the better is a parent.
+ * Binary tournaments with replacement: two individuals are drawn, and the better one becomes a parent.
  *
  * <p>Source: docs/specification/evolution.md, section 2.4.
  */
@@ -29,7 +29,7 @@ final class Tournament {
         this.byDominance = byDominance;
     }
 
-    /** A parent; both contestants may be the same individual. */
+    /** Draws two individuals, which may be the same, and returns the better one. */
     int winner(ResumableRandom random) {
         int first = sorting.individualAt(random.nextInt(sorting.size()));
         int second = sorting.individualAt(random.nextInt(sorting.size()));

@@ -12,14 +12,14 @@ import mmneat.random.ResumableRandom;
 @FunctionalInterface
 public interface Variation<P, C> {
 
-    /** The child of one parent. */
+    /** Makes a child from one parent. */
     C fromOne(P parent, ResumableRandom random);
 
     /**
-     * The children of two parents, who may be the same. Without an implementation of its own there is no crossover: the children are
-     * those of each parent alone.
+     * Makes children from two parents, which may be the same. The default implementation performs no crossover: it
+     * calls {@link #fromOne} for each parent that there is room for.
      *
-     * @param room how many children are wanted, at least 1
+     * @param room the largest number of children to return, at least 1
      * @return at least one child, at most {@code room}; the original makes two if there is room
      */
     default List<C> fromTwo(P parent, P mate, int room, ResumableRandom random) {

@@ -1,12 +1,12 @@
 /**
  * NSGA-II as the original runs it: dominance, fronts, crowding distance, parent selection and survivor selection.
  *
- * <p>All objectives are maximised. The package knows score vectors, and makes children through
- * {@link mmneat.nsga2.Variation}; it does not know what an individual is.
+ * <p>All objectives are maximised. The package works with score vectors and makes children through {@link
+ * mmneat.nsga2.Variation}, so individuals may have any type.
  *
- * <p>Sources: K. Deb, A. Pratap, S. Agarwal, T. Meyarivan: A fast and elitist multiobjective genetic algorithm: NSGA-II, IEEE
- * Transactions on Evolutionary Computation 6 (2002); docs/specification/evolution.md, section 2. The original departs
- * from the published algorithm in several places, listed in section 2.6 there; {@link mmneat.nsga2.Crowding} offers
- * both forms of the most important one.
+ * <p>Sources: K. Deb, A. Pratap, S. Agarwal, T. Meyarivan: A fast and elitist multiobjective genetic algorithm:
+ * NSGA-II, IEEE Transactions on Evolutionary Computation 6 (2002); docs/specification/evolution.md, section 2. The
+ * original departs from the published algorithm in several places, listed in section 2.6 there; {@link
+ * mmneat.nsga2.Crowding} offers both forms of the most important one.
  */
 package mmneat.nsga2;

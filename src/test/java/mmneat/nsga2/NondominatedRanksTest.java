@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Ranks by divide and conquer, compared with ranks that follow from comparing every pair. */
+/** Ranks by divide and conquer, compared with ranks from comparing every pair. */
 class NondominatedRanksTest {
 
     private static final int SETS = 10_000;
@@ -60,7 +60,7 @@ class NondominatedRanksTest {
     }
 
     @Test
-    void nothing_andNoObjectives() {
+    void emptyPopulation_andNoObjectives() {
         assertThat(NondominatedRanks.of(new double[0][])).isEmpty();
         assertThat(NondominatedRanks.of(new double[3][0])).containsExactly(0, 0, 0);
     }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Selection is the original's, case by case: golden/nsga2. */
+/** Selection equals the original's in every case of golden/nsga2. */
 @Tag("conformance")
 class Nsga2ConformanceTest {
 
@@ -75,7 +75,7 @@ class Nsga2ConformanceTest {
                     scores,
                     golden.get("generation").asInt() == 0,
                     golden.get("num_children").asInt(),
-                    new BreedingWithoutDraws(),
+                    new VariationWithoutDraws(),
                     random);
             String name = golden.get("name").asText();
             assertThat(origins)
@@ -91,7 +91,7 @@ class Nsga2ConformanceTest {
     }
 
     @Test
-    void hypervolume_isTheOriginals() throws IOException {
+    void hypervolume_equalsTheOriginals() throws IOException {
         for (JsonNode golden : cases("hypervolume.json")) {
             double[][] scores = matrix(golden.get("scores"));
             double expected = golden.get("hypervolume").asDouble();
@@ -130,7 +130,7 @@ class Nsga2ConformanceTest {
     }
 
     /** Children are rows of the golden file: base parent, other parent or -1, whether crossover returned the child. */
-    private record BreedingWithoutDraws() implements Variation<Integer, int[]> {
+    private record VariationWithoutDraws() implements Variation<Integer, int[]> {
         @Override
         public int[] fromOne(Integer parent, ResumableRandom random) {
             return new int[] {parent, -1, 0};

@@ -22,7 +22,7 @@ class Nsga2Test {
         List<Double> front = Nsga2.evolve(start, Nsga2Test::schaffer, (x, r) -> x + r.nextGaussian(), 200, random);
         assertThat(front).hasSize(20).allSatisfy(x -> assertThat(x).isBetween(-0.01, 2.01));
         double[][] scores = front.stream().map(Nsga2Test::schaffer).toArray(double[][]::new);
-        // The optimum is 13.3 for points without number.
+        // The optimum is 13.3, the limit for infinitely many points.
         assertThat(Hypervolume.of(scores, new double[] {-4, -4})).isGreaterThan(12.5);
     }
 

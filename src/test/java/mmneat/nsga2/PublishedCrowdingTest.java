@@ -14,8 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Crowding per front against a plain form of Deb et al. 2002, section III, on random score sets full of ties. What the paper leaves
- * open is decided by the order of the scores: individuals of a front stand in it, and sorting keeps it.
+ * Crowding per front, compared with a plain implementation of Deb et al. 2002, section III, on random score sets full
+ * of ties. Where the paper leaves the order open, individuals keep the order of the scores, and sorting is stable.
  */
 class PublishedCrowdingTest {
 
@@ -24,7 +24,7 @@ class PublishedCrowdingTest {
     private final ResumableRandom random = new ResumableRandom(8);
 
     @Test
-    void frontsAndDistances_areThePapers() {
+    void frontsAndDistances_equalThePapers() {
         for (int round = 0; round < ROUNDS; round++) {
             PlainSorting plain = new PlainSorting(randomScores());
             NondominatedSorting sorting = NondominatedSorting.of(plain.scores, Crowding.PER_FRONT);
@@ -41,7 +41,7 @@ class PublishedCrowdingTest {
     }
 
     @Test
-    void survivors_areThePapers_inTheOrderOfTheScores() {
+    void survivors_equalThePapers_inTheOrderOfTheScores() {
         for (int round = 0; round < ROUNDS; round++) {
             PlainSorting plain = new PlainSorting(randomScores());
             int keep = random.nextInt(plain.scores.length + 1);
@@ -82,7 +82,7 @@ class PublishedCrowdingTest {
         return individuals.stream().mapToInt(i -> i).toArray();
     }
 
-    /** The paper's definitions, as slow as they are plain. */
+    /** The paper's definitions, implemented plainly and slowly. */
     private static final class PlainSorting {
         final double[][] scores;
         final List<List<Integer>> fronts = new ArrayList<>();
@@ -118,7 +118,7 @@ class PublishedCrowdingTest {
             Comparator<Integer> order = Comparator.naturalOrder();
             for (int j = 0; j < scores[0].length; j++) {
                 int objective = j;
-                // Ties by the objective before, and so on: one sort after the other, as in the paper's pseudo-code.
+                // One stable sort per objective, as in the paper; ties keep the order of the previous objective.
                 order = Comparator.<Integer>comparingDouble(i -> scores[i][objective])
                         .thenComparing(order);
                 List<Integer> sorted = members.stream().sorted(order).toList();

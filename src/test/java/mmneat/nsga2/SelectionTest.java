@@ -77,7 +77,7 @@ class SelectionTest {
     }
 
     @Test
-    void wholePopulation_hasOneLeastAndOneGreatestPerObjective_atInfinity() {
+    void wholePopulation_hasOneMinimumAndOneMaximumPerObjective_atInfinity() {
         double[][] same = {{3, 3}, {3, 3}, {3, 3}, {3, 3}};
         NondominatedSorting sorting = NondominatedSorting.of(same, Crowding.WHOLE_POPULATION);
         assertThat(IntStream.range(0, 4).mapToDouble(sorting::crowding).toArray())
@@ -134,7 +134,7 @@ class SelectionTest {
     }
 
     @Test
-    void lastPlace_isTakenByOneChildOfACrossover() {
+    void crossoverWithRoomForOne_makesOneChild() {
         double[][] scores = {{1, 2}, {2, 1}, {0, 0}};
         List<String> children = new ParentSelection(true, 1, Crowding.WHOLE_POPULATION)
                 .children(List.of(0, 1, 2), scores, true, 5, new NamingVariation(), new ResumableRandom(6));
@@ -203,7 +203,7 @@ class SelectionTest {
     }
 
     @Test
-    void volumesThatCannotBeMeasured_areRefused() {
+    void invalidVolumes_areRefused() {
         double[] origin = {0, 0};
         assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1, 2, 3}}, origin))
                 .isInstanceOf(IllegalArgumentException.class)
@@ -221,7 +221,7 @@ class SelectionTest {
     }
 
     @Test
-    void crowding_isANumber_alsoOfScoresWhoseDifferenceIsNone() {
+    void crowding_isFinite_evenIfADifferenceOfScoresOverflows() {
         double far = 1.6e308;
         double[][] scores = {{-far, far}, {0, 0}, {far / 2, -far / 2}, {far, -far}};
         for (Crowding crowding : Crowding.values()) {
