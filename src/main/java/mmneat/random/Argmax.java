@@ -3,7 +3,7 @@ package mmneat.random;
 import java.util.Arrays;
 
 /**
- * The argmax with random ties by which modules and directions are chosen.
+ * The argmax with random ties that chooses modules and directions.
  *
  * <p>Source: docs/specification/networks.md, section 2.
  */
@@ -12,10 +12,10 @@ public final class Argmax {
     private Argmax() {}
 
     /**
-     * One of the indices of the highest value, drawn by one {@code nextInt} also if there is only one. Values that are not
-     * numbers are never the highest.
+     * Returns one of the indices of the highest value. It always draws exactly one {@code nextInt}, even if the highest
+     * value is unique. NaN is never the highest value.
      *
-     * @throws IllegalStateException if no value is a number
+     * @throws IllegalStateException if every value is NaN
      */
     public static int of(double[] values, ResumableRandom random) {
         double highest = Double.NEGATIVE_INFINITY;

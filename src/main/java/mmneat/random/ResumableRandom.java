@@ -5,9 +5,9 @@ import java.util.Random;
 /**
  * The number sequence of {@link java.util.Random}, with a state that can be read and set.
  *
- * <p>Every draw gives the same number as {@code java.util.Random} with the same seed, the second value of a pair of
- * Gaussians included. Unlike there, drawing takes no locks and no atomic operations: one generator belongs to one thread. It is a
- * {@code java.util.Random} because controllers of the competition take {@code Game.rnd} for one.
+ * <p>Every draw returns the same number as {@code java.util.Random} with the same seed, including the second value of a
+ * pair of Gaussians. Drawing uses no locks and no atomic operations, so a generator is used by one thread only. The
+ * class extends {@code java.util.Random} because controllers of the competition use {@code Game.rnd} as one.
  *
  * <p>Source: docs/specification/networks.md, section 2; the documented algorithm of {@code java.util.Random}.
  */
@@ -63,7 +63,7 @@ public final class ResumableRandom extends Random {
         hasCachedGaussian = other.hasCachedGaussian;
     }
 
-    /** Everything that decides the numbers to come. */
+    /** Returns the complete state, which determines all later numbers. */
     public State state() {
         return new State(bits, hasCachedGaussian, hasCachedGaussian ? cachedGaussian : 0);
     }

@@ -1,2 +1,2 @@
-/** The generator that all randomness comes from: {@code java.util.Random}'s sequence, resumable and without locks. */
+/** The random number generator: the sequence of {@code java.util.Random}, with a readable state and without locks. */
 package mmneat.random;

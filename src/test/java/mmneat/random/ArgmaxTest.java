@@ -29,7 +29,7 @@ class ArgmaxTest {
     }
 
     @Test
-    void noNumberAtAll_isRefused() {
+    void allNan_isRefused() {
         assertThatIllegalStateException().isThrownBy(() -> Argmax.of(new double[] {Double.NaN, Double.NaN}, random));
     }
 }

@@ -44,7 +44,7 @@ class ResumableRandomTest {
         }
     }
 
-    /** Controllers of the competition hand {@code game.rnd} to methods that want a {@code java.util.Random}. */
+    /** Controllers of the competition pass {@code game.rnd} to methods that take a {@code java.util.Random}. */
     @Test
     void generator_servesWhereverAJavaUtilRandomIsWanted() {
         Random actual = new ResumableRandom(5);
