@@ -64,7 +64,7 @@ class GenePoolTest {
     }
 
     @Test
-    void onlyPlaceLeft_isForTheFirstParentsStructure_andTheOtherIdIsLost() {
+    void crossoverWithRoomForOne_keepsTheFirstParentsStructure_andSkipsIds() {
         InitialNetworks networks = new InitialNetworks(4, ModuleLayout.single(1));
         ResumableRandom random = new ResumableRandom(1);
         GenePool pool = GenePool.foundedOn(networks.create(-1, random));
@@ -78,7 +78,7 @@ class GenePoolTest {
     }
 
     @Test
-    void cleaning_removesWhatNobodyUses_andShadowsWithTheirNeurons() {
+    void cleaning_removesUnusedEntries_andShadowsWithTheirNeurons() {
         RandomLineages lineages = new RandomLineages(new InitialNetworks(4, ModuleLayout.single(1)), SETTINGS, 6, 3);
         lineages.breed(24, child -> assertThat(child.genotype()).isNotNull());
         Archetype archetype = lineages.pool().archetype();

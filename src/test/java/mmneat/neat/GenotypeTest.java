@@ -61,7 +61,7 @@ class GenotypeTest {
     }
 
     @Test
-    void populationOfLessThanNobody_isRefused() {
+    void negativePopulationSize_isRefused() {
         InitialNetworks networks = new InitialNetworks(2, network.layout());
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> networks.createPopulation(-1, GenePool.foundedOn(network), new ResumableRandom(1)))

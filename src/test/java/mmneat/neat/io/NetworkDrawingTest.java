@@ -80,7 +80,7 @@ class NetworkDrawingTest {
     }
 
     @Test
-    void svg_keepsLabels_whatTheyContain() throws IOException {
+    void svg_escapesLabels() throws IOException {
         assertThat(descendants(XmlElement.parse(NetworkSvg.of(NETWORK, LABELS)))
                         .filter(e -> e.name().equals("text"))
                         .map(e -> e.text().toString()))

@@ -150,7 +150,7 @@ class ModuleArbitrationTest {
     }
 
     @Test
-    void settingsThatMakeNoSense_areRefused() {
+    void invalidSettings_areRefused() {
         ModuleArbitration plain = ModuleArbitration.PREFERENCE;
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> plain.withSoftmax(-1))

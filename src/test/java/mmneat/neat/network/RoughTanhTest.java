@@ -25,7 +25,7 @@ class RoughTanhTest {
     }
 
     @Test
-    void whatIsNotANumber_staysSo() {
+    void nan_staysNan() {
         assertThat(RoughTanh.of(Double.NaN)).isNaN();
     }
 

@@ -91,7 +91,7 @@ class VariationOptionsTest {
     }
 
     @Test
-    void usageOfAnotherNumberOfModules_opensTheGate_whateverItSays() {
+    void usageOfAnotherNumberOfModules_opensTheGate() {
         ModuleGate gate = ModuleGate.PUBLISHED;
         assertThat(gate.isOpen(3, new int[] {100, 0})).isTrue();
         assertThat(gate.isOpen(2, new int[] {0, 0, 0})).isTrue();
