@@ -14,22 +14,22 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * The universal order of all neurons of a population: the node list of every genotype is a subsequence of it. (Full module
- * mutation, an extra that puts new modules before old ones, is the exception.)
+ * The population-wide list of neurons that fixes their order: the node list of every genotype is a subsequence of it.
+ * The exception is full module mutation, which puts new modules before old ones.
  *
- * <p>It also holds shadow entries, which match no neuron of any network. The original makes them ready for a crossover that
- * combines two networks of one module each, which the published experiments never perform; they are kept because they use up
- * innovation numbers and are counted in the logs.
+ * <p>It also holds shadow entries, which match no neuron of any network. The original adds them for a crossover that
+ * combines two networks of one module each; the published experiments never perform it. The shadows are kept because
+ * they use up innovation numbers and are counted in the logs.
  *
  * <p>Source: docs/specification/networks.md, sections 4.2 and 4.3; docs/specification/evolution.md, section 3.3.
  */
 public final class Archetype {
 
     private final List<NodeGene> entries;
-    /** The innovations of the entries, for quick questions whether a neuron is known. */
+    /** The innovations of the entries, for a fast look-up. */
     private final Set<Long> innovations = new HashSet<>();
 
-    /** Innovation of a spliced neuron to the innovation of its shadow. */
+    /** Maps the innovation of a spliced neuron to that of its shadow. */
     private final NavigableMap<Long, Long> shadows;
 
     private int outputs;
@@ -41,17 +41,17 @@ public final class Archetype {
         this.outputs = countOutputs();
     }
 
-    /** The archetype of a population whose networks all begin with these neurons. */
+    /** Creates the archetype of a population whose networks all start with these neurons. */
     static Archetype startingWith(List<NodeGene> nodes) {
         return new Archetype(nodes, Map.of());
     }
 
-    /** An archetype that continues from {@code state}. */
+    /** Restores an archetype from its state. */
     public static Archetype resume(State state) {
         return new Archetype(state.entries(), state.shadows());
     }
 
-    /** Everything that decides what this archetype will do. */
+    /** Returns the complete state. */
     public State state() {
         return new State(entries, shadows);
     }
@@ -67,15 +67,15 @@ public final class Archetype {
     }
 
     /**
-     * The neurons that were spliced into networks of one module, each with its shadow, in ascending order; a view. The
-     * original saves it as {@code combiningCrossoverMapping.txt} if it is not empty, a line "neuron shadow" for each.
+     * Maps neurons spliced into networks of one module to their shadows, in ascending order; a view. The original saves
+     * it as {@code combiningCrossoverMapping.txt} if it is not empty, one line "neuron shadow" per entry.
      */
     public SortedMap<Long, Long> shadows() {
         return Collections.unmodifiableSortedMap(shadows);
     }
 
     /**
-     * Takes in a neuron that was spliced into a link, by the rule by which it entered its network.
+     * Inserts a neuron that was spliced into a link, by the same rule as in its network.
      *
      * @return the position of the new entry
      */
@@ -86,7 +86,7 @@ public final class Archetype {
         return position;
     }
 
-    /** Whether a neuron just inserted at a position calls for a shadow, if its network has one module. */
+    /** Whether a neuron just inserted at this position needs a shadow, given that its network has one module. */
     public boolean needsShadow(int position) {
         NodeGene previous = entries.get(position - 1);
         return previous.type() == NodeType.INPUT || shadows.containsKey(previous.innovation());
@@ -106,7 +106,7 @@ public final class Archetype {
         shadows.put(neuron.innovation(), shadowInnovation);
     }
 
-    /** Takes in an output neuron of a new module, unless another network has gained that output before. */
+    /** Appends an output neuron of a new module, unless the archetype already contains it. */
     void addOutput(NodeGene output) {
         if (innovations.add(output.innovation())) {
             entries.add(output);
@@ -114,7 +114,7 @@ public final class Archetype {
         }
     }
 
-    /** The first neuron of a network that is no entry, by position in the network; -1 if all are. */
+    /** Returns the position in the network of its first neuron that the archetype lacks; -1 if it lacks none. */
     int firstUnknown(Genotype genotype) {
         List<NodeGene> nodes = genotype.nodes();
         for (int i = 0; i < nodes.size(); i++) {
@@ -125,7 +125,7 @@ public final class Archetype {
         return -1;
     }
 
-    /** Removes the entries that no member of the population uses; a shadow goes when its neuron has gone. */
+    /** Removes the entries that no member of the population uses; a shadow is removed with its neuron. */
     public void clean(Collection<Genotype> population) {
         Set<Long> used = new HashSet<>();
         for (Genotype genotype : population) {
@@ -177,7 +177,7 @@ public final class Archetype {
      * State of an archetype between two reproductions.
      *
      * @param entries entries in order, shadows included
-     * @param shadows innovation of a spliced neuron to that of its shadow
+     * @param shadows map from the innovation of a spliced neuron to that of its shadow
      */
     public record State(List<NodeGene> entries, SortedMap<Long, Long> shadows) {
         /**
@@ -190,7 +190,10 @@ public final class Archetype {
             shadows = Collections.unmodifiableSortedMap(new TreeMap<>(Objects.requireNonNull(shadows, "shadows")));
         }
 
-        /** Makes sure that the entries are different neurons: inputs, hidden neurons, outputs; and that shadows are entries. */
+        /**
+         * Checks that the entries are distinct and ordered (inputs, hidden neurons, outputs), and that shadows are
+         * entries.
+         */
         void requireOrder() {
             Set<Long> innovations = new HashSet<>();
             NodeType last = NodeType.INPUT;
@@ -212,7 +215,7 @@ public final class Archetype {
             });
         }
 
-        /** Makes sure that the inputs and hidden neurons of a genotype stand here in the same order. */
+        /** Checks that the inputs and hidden neurons of a genotype have the same order as here. */
         void requireSameOrder(Genotype genotype) {
             int next = 0;
             for (NodeGene neuron : genotype.nodes().subList(0, genotype.firstOutput())) {

@@ -6,11 +6,11 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * What the genotypes of one population share: the counters of innovations and of genotype ids, and the archetype.
+ * The counters of innovation numbers and genotype ids, and the archetype, which the genotypes of one population share.
  *
- * <p>One pool belongs to one run and one thread. Reading its state and resuming from it continues exactly. A pool and its
- * genotypes belong together: innovations of another pool's genotypes mean other structures, and reproduction refuses
- * those that it can tell from its own.
+ * <p>A pool is used by one run and one thread. A pool resumed from its state continues exactly. A pool and its
+ * genotypes belong together: in another pool, the same innovation number means another structure. Reproduction
+ * therefore refuses genotypes that it can tell to be from another pool.
  *
  * <p>Source: docs/specification/networks.md, sections 4 and 10.
  */
@@ -27,8 +27,8 @@ public final class GenePool {
     }
 
     /**
-     * The pool of a new population whose networks all have the neurons of an example. As in the original the archetype is a
-     * copy of the example that takes an id of its own.
+     * Creates the pool of a new population whose networks all have the neurons of an example. As in the original, the
+     * archetype is a copy of the example and takes a genotype id.
      */
     public static GenePool foundedOn(Genotype example) {
         long firstFree = 0;
@@ -41,19 +41,19 @@ public final class GenePool {
         return new GenePool(firstFree, example.id() + 2, Archetype.startingWith(example.nodes()));
     }
 
-    /** A pool that continues from {@code state}. */
+    /** Restores a pool from its state. */
     public static GenePool resume(State state) {
         return new GenePool(state.nextInnovation(), state.nextGenotypeId(), Archetype.resume(state.archetype()));
     }
 
-    /** Everything that decides what this pool will hand out. */
+    /** Returns the complete state. */
     public State state() {
         return new State(nextInnovation, nextGenotypeId, archetype.state());
     }
 
     /**
-     * Refuses a genotype that cannot be of this pool: the archetype lacks a neuron of it, or it has a link under a number that
-     * this pool has not handed out.
+     * Refuses a genotype that cannot belong to this pool: the archetype lacks one of its neurons, or this pool has not
+     * yet given out the innovation number of one of its links.
      *
      * @throws IllegalArgumentException if so
      */
@@ -98,7 +98,8 @@ public final class GenePool {
         /**
          * A checked state.
          *
-         * @throws IllegalArgumentException if the next innovation number is negative: those belong to inputs and outputs
+         * @throws IllegalArgumentException if the next innovation number is negative: those belong to inputs and
+         *     outputs
          * @throws NullPointerException if the archetype is missing
          */
         public State {
@@ -109,10 +110,11 @@ public final class GenePool {
         }
 
         /**
-         * Makes sure that a population can be of a pool in this state, which may come from a file.
+         * Checks that a population can belong to a pool in this state, which may come from a file.
          *
-         * @throws IllegalArgumentException if the archetype is no order of neurons, a genotype has neurons or links that are
-         *     not of the pool, in another order, or an id that the pool would give again; the message says which
+         * @throws IllegalArgumentException if the archetype is not a valid order of neurons, or a genotype has neurons
+         *     or links unknown to the pool, neurons in another order, or an id that the pool would give out again; the
+         *     message says which
          */
         public void requireOwn(Collection<Genotype> population) {
             archetype.requireOrder();

@@ -9,11 +9,11 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * A network as evolution sees it: node genes in activation order, link genes, and the division of outputs into modules.
+ * The genes of a network: node genes in activation order, link genes, and the division of outputs into modules.
  *
- * <p>Immutable. Nodes are the inputs, then the hidden neurons, then the outputs. The order of links has no effect on the
- * network's outputs (beyond rounding) but decides which link a random index hits. Inactive links are not part of the network.
- * Innovations of nodes and of links are separate name spaces.
+ * <p>Immutable. Nodes are the inputs, then the hidden neurons, then the outputs. The order of links does not change the
+ * network's outputs (beyond rounding), but it decides which link a random index selects. Inactive links are not part of
+ * the network. Innovations of nodes and of links are separate name spaces.
  *
  * <p>Source: docs/specification/networks.md, section 3.
  */
@@ -34,9 +34,9 @@ public final class Genotype {
      * @param layout division of the outputs into modules
      * @param nodes node genes in activation order: inputs, hidden, outputs; no shadow entries of an archetype
      * @param links link genes; no two with the same innovation or the same end points, none into an input
-     * @param moduleUsage how often each module was chosen in the evaluation that is remembered; its length is the number of
-     *     modules at that time
-     * @throws IllegalArgumentException if the genes do not make a network; the message says where
+     * @param moduleUsage how often each module was chosen in the last evaluation; its length is the number of modules
+     *     at that time
+     * @throws IllegalArgumentException if the genes do not form a network; the message says where
      * @throws NullPointerException if a part is missing; the message names it
      */
     public Genotype(
@@ -125,13 +125,13 @@ public final class Genotype {
         return nodes.size() - layout.outputs();
     }
 
-    /** How often each module was chosen in the evaluation that is remembered (a copy). */
+    /** How often each module was chosen in the last evaluation (a copy). */
     public int[] moduleUsage() {
         return moduleUsage.clone();
     }
 
     /**
-     * This individual after an evaluation in which its modules were chosen so often.
+     * Returns this genotype with new counts of how often its modules were chosen.
      *
      * @throws IllegalArgumentException if a count is negative
      */

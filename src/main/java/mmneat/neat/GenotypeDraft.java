@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A genotype in the making: what reproduction changes until it becomes an offspring.
+ * A mutable genotype, which reproduction changes until it is finished as an offspring.
  *
- * <p>Node order, link order and counts are those of {@link Genotype}; between the steps of a module mutation the outputs may not
- * make whole modules.
+ * <p>Node order, link order and counts are those of {@link Genotype}; during a module mutation the outputs may be
+ * incomplete modules.
  */
 public final class GenotypeDraft {
 
@@ -35,14 +35,14 @@ public final class GenotypeDraft {
         this.modules = original.modules();
     }
 
-    /** The genotype itself, to be changed. */
+    /** Creates a draft with all genes of a genotype. */
     public static GenotypeDraft of(Genotype original) {
         return new GenotypeDraft(original, original.id(), new ArrayList<>(original.links()));
     }
 
     /**
-     * A copy as the original makes it, by building a network and reading it back: inactive links disappear, and links are
-     * grouped by source in node order. Source: docs/specification/networks.md, section 7.
+     * Copies a genotype as the original does, by building a network and reading it back: inactive links disappear, and
+     * links are grouped by source in node order. Source: docs/specification/networks.md, section 7.
      */
     public static GenotypeDraft copyOf(Genotype original, long id) {
         return new GenotypeDraft(original, id, activeLinksBySource(original.nodes(), original.links()));
@@ -83,8 +83,8 @@ public final class GenotypeDraft {
     }
 
     /**
-     * The finished genotype. Its genes are checked only if assertions are enabled: the operators that change drafts keep them
-     * valid, and the checks would take a third of the time of reproduction.
+     * The finished genotype. Its genes are checked only if assertions are enabled: the operators that change drafts
+     * keep them valid, and the checks would take a third of the time of reproduction.
      */
     public Genotype finish() {
         return Genotype.unchecked(id, inputs, layout(), nodes, links, moduleUsage);
@@ -110,7 +110,7 @@ public final class GenotypeDraft {
         return policyNeuronsPerModule;
     }
 
-    /** Division of the outputs at this moment; only between whole module mutations. */
+    /** Current division of the outputs into modules. Not available during a module mutation. */
     public ModuleLayout layout() {
         return new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
     }
@@ -163,8 +163,9 @@ public final class GenotypeDraft {
     }
 
     /**
-     * The innovation that the next output neuron gets: outputs are known by position. Where full module mutation together with
-     * deleted modules or excess crossover has left that one to another output of this network, it is a new one.
+     * Returns the innovation for the next output neuron, which follows from its position. If another output of this
+     * network already has that innovation, it is a new one. This happens after full module mutation together with
+     * module deletion or excess crossover.
      */
     public long nextOutputInnovation(GenePool pool) {
         long byPosition = outputInnovation(inputs, outputs);
@@ -181,7 +182,7 @@ public final class GenotypeDraft {
         return -(inputs + output) - 1L;
     }
 
-    /** Appends an output neuron here and, if its place is new, in the archetype. */
+    /** Appends an output neuron here and, if the archetype lacks it, there. */
     public void appendOutput(NodeGene output, GenePool pool) {
         nodes.add(output);
         outputs++;
@@ -192,7 +193,7 @@ public final class GenotypeDraft {
         modules++;
     }
 
-    /** Adopts genes that came from elsewhere, and counts outputs and modules again. */
+    /** Replaces all genes, and counts outputs and modules again. */
     public void replaceGenes(List<NodeGene> newNodes, List<LinkGene> newLinks) {
         List<NodeGene> nodesToAdopt = List.copyOf(newNodes);
         List<LinkGene> linksToAdopt = List.copyOf(newLinks);

@@ -3,13 +3,14 @@ package mmneat.neat;
 /**
  * One connection of a genotype.
  *
- * @param innovation historical marking; equal numbers have equal end points
+ * @param innovation innovation number; links with equal numbers have equal end points
  * @param source innovation of the neuron that the link comes from
  * @param target innovation of the neuron that the link leads to, never an input
  * @param weight any double, unbounded
  * @param active whether the link exists in the network; a spliced link is inactive until its genotype is copied
- * @param recurrent whether the target stood at or before the source when the link was made; information only
- * @param frozen whether weight mutation and splicing pass this link over
+ * @param recurrent whether the target was at or before the source in node order when the link was made; information
+ *     only
+ * @param frozen whether weight mutation and splicing skip this link
  */
 public record LinkGene(
         long innovation, long source, long target, double weight, boolean active, boolean recurrent, boolean frozen) {
@@ -29,7 +30,7 @@ public record LinkGene(
         return value == innovation ? this : new LinkGene(value, source, target, weight, active, recurrent, frozen);
     }
 
-    /** This gene between other neurons and under another number, as that is then another structure. */
+    /** This gene between other neurons, with the innovation number of that structure. */
     public LinkGene moved(long newInnovation, long newSource, long newTarget) {
         return new LinkGene(newInnovation, newSource, newTarget, weight, active, recurrent, frozen);
     }

@@ -1,24 +1,24 @@
 package mmneat.neat;
 
 /**
- * How the output neurons of a network are divided into modules.
+ * The division of a network's output neurons into modules.
  *
- * <p>Outputs are numbered from 0 in node order. Module m owns {@link #neuronsPerModule()} consecutive outputs: its policy
- * neurons and then, if there are preference neurons, its preference neuron.
+ * <p>Outputs are numbered from 0 in node order. Module m owns {@link #neuronsPerModule()} consecutive outputs: its
+ * policy neurons and then, if there are preference neurons, its preference neuron.
  *
  * <p>Source: docs/specification/networks.md, sections 3.1 and 3.2.
  *
  * @param outputs number of output neurons, preference neurons included
  * @param modules number of output modules
- * @param policyNeuronsPerModule neurons of a module that make up the network's answer
- * @param standardMultitask whether the task names the module to be used, so that there are no preference neurons
+ * @param policyNeuronsPerModule number of neurons of a module that form the network's output
+ * @param standardMultitask whether the task selects the module, so that there are no preference neurons
  */
 public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule, boolean standardMultitask) {
 
     /**
      * A checked layout.
      *
-     * @throws IllegalArgumentException if a number is not positive, or so many outputs do not make such modules
+     * @throws IllegalArgumentException if a number is not positive, or the number of outputs does not fit the modules
      */
     public ModuleLayout {
         if (policyNeuronsPerModule < 1) {
@@ -48,7 +48,7 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
     }
 
     /**
-     * Modules that compete by preference neurons: methods 2M, 3M and, with one module at the start, MMD.
+     * Modules chosen by preference neurons: methods 2M, 3M and, with one module at the start, MMD.
      *
      * @throws IllegalArgumentException if there is no module or no policy neuron
      */
@@ -57,7 +57,7 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
     }
 
     /**
-     * Modules that the task chooses from: methods MT, MT2 and MT3.
+     * Modules chosen by the task: methods MT, MT2 and MT3.
      *
      * @throws IllegalArgumentException if there is no module or no policy neuron
      */
@@ -65,7 +65,7 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
         return new ModuleLayout(modules * policyNeuronsPerModule, modules, policyNeuronsPerModule, true);
     }
 
-    /** Whether each module has a preference neuron behind its policy neurons. */
+    /** Whether each module has a preference neuron after its policy neurons. */
     public boolean hasPreferenceNeurons() {
         return outputs > modules * policyNeuronsPerModule;
     }

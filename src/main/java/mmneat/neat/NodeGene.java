@@ -5,7 +5,8 @@ import java.util.Objects;
 /**
  * One neuron of a genotype.
  *
- * @param innovation historical marking; negative and by position for inputs and outputs, counted from 0 for hidden neurons
+ * @param innovation innovation number; negative and given by position for inputs and outputs, counted from 0 for hidden
+ *     neurons
  * @param type input, hidden or output
  * @param activation the neuron's activation function
  * @param frozen whether new links into this neuron are forbidden

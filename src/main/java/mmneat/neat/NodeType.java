@@ -1,6 +1,6 @@
 package mmneat.neat;
 
-/** Where a neuron stands in a network. */
+/** The kind of a neuron: input, hidden or output. */
 public enum NodeType {
     INPUT,
     HIDDEN,

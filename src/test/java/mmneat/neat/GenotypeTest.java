@@ -14,7 +14,7 @@ import mmneat.neat.variation.Offspring;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Parts that do not make a network, a pool or settings. */
+/** Invalid genes, pools and settings are refused. */
 class GenotypeTest {
 
     private final Genotype network =

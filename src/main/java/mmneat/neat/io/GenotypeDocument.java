@@ -13,7 +13,7 @@ import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
 import mmneat.neat.NodeType;
 
-/** The fields of a genotype's JSON document, in their order; docs/genotype-format.md says what they mean. */
+/** The JSON document of a genotype, with its fields in order; docs/genotype-format.md describes them. */
 @JsonPropertyOrder({
     "format",
     "version",
@@ -80,7 +80,7 @@ record GenotypeDocument(
                 genotype.links().stream().map(Link::of).toList());
     }
 
-    /** The genotype; an {@link IllegalArgumentException} names the field that does not fit. */
+    /** Returns the genotype. An {@link IllegalArgumentException} names the invalid field. */
     Genotype toGenotype() {
         List<NodeGene> nodeGenes = new ArrayList<>(nodes.size());
         for (int i = 0; i < nodes.size(); i++) {
@@ -97,7 +97,10 @@ record GenotypeDocument(
         return new Genotype(id, inputs, layout, nodeGenes, linkGenes, moduleUsage);
     }
 
-    /** A network may have gained modules since it was evaluated, but not lost one. */
+    /**
+     * Checks that there are not more counts than modules: a network may have gained modules since its evaluation, but
+     * not lost one.
+     */
     static void requireUsageOfModules(int[] usage, int modules) {
         if (usage.length > modules) {
             throw new IllegalArgumentException(

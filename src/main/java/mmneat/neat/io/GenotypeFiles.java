@@ -9,10 +9,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.neat.Genotype;
 
-/** Reads genotypes from files of either form. */
+/** Reads genotypes from JSON and XML files. */
 public final class GenotypeFiles {
 
-    /** Files beyond this many bytes are refused; a champion takes some 50,000. */
+    /** Maximum size of a file in bytes; a champion takes about 50,000. */
     static final long MAX_BYTES = 64L << 20;
 
     private static final String BYTE_ORDER_MARK = "\uFEFF";
@@ -20,9 +20,10 @@ public final class GenotypeFiles {
     private GenotypeFiles() {}
 
     /**
-     * Reads a genotype in our JSON or the original's XML; the first character tells which.
+     * Reads a genotype in our JSON or the original's XML form, which it recognises by the first character.
      *
-     * @throws GenotypeFormatException if the file is damaged or something else; the message names file and field
+     * @throws GenotypeFormatException if the file is damaged or does not contain a genotype; the message names file and
+     *     field
      * @throws IOException if the file cannot be read
      */
     public static Genotype read(Path file) throws IOException {
@@ -42,10 +43,10 @@ public final class GenotypeFiles {
         }
     }
 
-    /** What a file holds, without white space around it and without the mark that some editors put before it. */
+    /** Returns the text of a file without surrounding white space and without a byte order mark. */
     private static String textOf(Path file) throws IOException {
         try (InputStream in = Files.newInputStream(file)) {
-            // Counted while reading: pipes and devices have no size.
+            // The size is checked while reading, because pipes and devices report none.
             byte[] bytes = in.readNBytes((int) MAX_BYTES + 1);
             if (bytes.length > MAX_BYTES) {
                 throw new GenotypeFormatException("is larger than " + (MAX_BYTES >> 20) + " MiB");

@@ -2,7 +2,7 @@ package mmneat.neat.io;
 
 import java.io.IOException;
 
-/** A file is not what it should be. The message is one line: where in the file, what is wrong. */
+/** Thrown when a file has an invalid format. The message is one line: where in the file, and what is wrong. */
 public final class GenotypeFormatException extends IOException {
 
     public GenotypeFormatException(String message) {

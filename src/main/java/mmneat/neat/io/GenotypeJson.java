@@ -29,12 +29,12 @@ import mmneat.neat.Genotype;
 /**
  * The JSON form of a genotype, described in docs/genotype-format.md.
  *
- * <p>Reading checks everything: format name and version, every field's presence and type, and that the genes make a network. An
- * error names the field. Numbers are written so that reading gives the same double.
+ * <p>Reading checks the format name and version, every field's presence and type, and that the genes form a network. An
+ * error names the field. Numbers are written so that reading returns the same double.
  */
 public final class GenotypeJson {
 
-    /** A genotype takes kilobytes: larger documents, deeper nesting and longer words are refused. */
+    /** Limits for documents, nesting and names; a genotype takes kilobytes. */
     private static final StreamReadConstraints LIMITS = StreamReadConstraints.builder()
             .maxNestingDepth(8)
             .maxDocumentLength(GenotypeFiles.MAX_BYTES)
@@ -61,7 +61,7 @@ public final class GenotypeJson {
         return mapper;
     }
 
-    /** The JSON text of a genotype: one gene a line. */
+    /** Returns the JSON text of a genotype, with one gene per line. */
     public static String write(Genotype genotype) {
         try {
             return WRITER.writeValueAsString(GenotypeDocument.of(genotype)) + "\n";
@@ -92,7 +92,10 @@ public final class GenotypeJson {
         }
     }
 
-    /** Lets Jackson write and read genotypes in this form as parts of larger documents, such as checkpoints. */
+    /**
+     * Returns the Jackson module that writes and reads genotypes in this form inside larger documents, such as
+     * checkpoints.
+     */
     public static SimpleModule module() {
         SimpleModule module = new SimpleModule("genotypes");
         module.addSerializer(new Serializer());
@@ -101,8 +104,8 @@ public final class GenotypeJson {
     }
 
     /**
-     * Looks at format and version before anything else: what they mean decides whether the other fields mean anything. A text
-     * that is no object with these two says so itself when it is read.
+     * Checks format and version before all other fields, because they decide how the others are read. A text that lacks
+     * these two fields is reported when it is parsed.
      */
     private static void requireThisVersion(String json) throws IOException {
         try (JsonParser parser = MAPPER.createParser(json)) {
@@ -131,7 +134,7 @@ public final class GenotypeJson {
         }
     }
 
-    /** Field, what is wrong, and where in the text; in one line. */
+    /** Returns one line: the field, what is wrong, and the position in the text. */
     private static String messageOf(JacksonException e) {
         String field = e instanceof JsonMappingException mapping
                 ? mapping.getPath().stream()
@@ -160,7 +163,7 @@ public final class GenotypeJson {
         if (e instanceof MismatchedInputException mismatch && mismatch.getTargetType() != null) {
             return "must be " + nameOf(mismatch.getTargetType());
         }
-        // The parser adds which of its settings would let the text pass, and where it stands once more.
+        // The parser's message continues with its own settings and the position a second time.
         return what.replaceAll(": enable .*| \\(start marker at .*| \\[Source: .*", "");
     }
 

@@ -14,10 +14,10 @@ import mmneat.neat.NodeType;
 /**
  * The original's XML form of genotypes and archetypes.
  *
- * <p>What is written here reads in the original. What the original and its later versions wrote reads here: from either of the
- * packages under which it was published, with modules called "mode" (until May 2016) or "module", with complete or small genes. A
- * feature of a later version that our networks do not have is refused by name. Safe for files from strangers: no document types,
- * no entities, no deep nests.
+ * <p>The original can read the files written here. Files of the original and of its later versions can be read here:
+ * from both packages under which it was published, with modules called "mode" (until May 2016) or "module", and with
+ * complete or small genes. A feature of a later version that our networks lack is refused by name. Untrusted files are
+ * safe to read: document types, entities and deep nesting are refused.
  *
  * <p>Source: docs/specification/networks.md, section 12; docs/genotype-format.md.
  */
@@ -27,7 +27,7 @@ public final class GenotypeXml {
     private static final String NODE = GENOTYPE + "$NodeGene";
     private static final String LINK = GENOTYPE + "$LinkGene";
 
-    /** Later versions call complete genes so, and may save small ones under the old names. */
+    /** Later versions use this name for complete genes, and may save small genes under the old names. */
     private static final String FULL_NODE = GENOTYPE + "$FullNodeGene";
 
     private static final String FULL_LINK = GENOTYPE + "$FullLinkGene";
@@ -35,7 +35,7 @@ public final class GenotypeXml {
     private static final String[] OMITTED_BY_SMALL_NODES = {"fromCombiningCrossover", "frozen"};
     private static final String[] OMITTED_BY_SMALL_LINKS = {"active", "recurrent", "frozen"};
 
-    /** What other classes of genotypes of the original's later versions stand for. */
+    /** The feature that each other genotype class of the original's later versions adds. */
     private static final Map<String, String> FEATURES_OF_GENOTYPES = Map.of(
             "HyperNEATCPPNGenotype", "networks that a CPPN makes (HyperNEAT)",
             "HyperNEATCPPNAndXGenotype", "networks that a CPPN makes (HyperNEAT)",
@@ -46,7 +46,7 @@ public final class GenotypeXml {
             "BoundedRealValuedGenotype", "vectors of numbers",
             "BoundedIntegerValuedGenotype", "vectors of numbers");
 
-    /** The largest code of a function of February 2016. */
+    /** The largest code of an activation function in February 2016. */
     private static final int MAX_FUNCTION = ActivationFunction.values().length - 1;
 
     private static final String PACKAGE = "edu.utexas.cs.nn.evolution.genotypes.";
@@ -109,7 +109,7 @@ public final class GenotypeXml {
         return nodesOf(SerialisedObject.parse(xml).elements());
     }
 
-    /** The XML text of a genotype: one line, without a line end. */
+    /** Returns the XML text of a genotype: one line, without a line end. */
     public static String write(Genotype genotype) {
         SerialisedText text = new SerialisedText();
         ModuleLayout layout = genotype.layout();
@@ -134,7 +134,7 @@ public final class GenotypeXml {
         return text.toString();
     }
 
-    /** The XML text of an archetype's entries: one line, without a line end. */
+    /** Returns the XML text of an archetype's entries: one line, without a line end. */
     public static String writeArchetype(List<NodeGene> entries) {
         SerialisedText text = new SerialisedText();
         text.list(entries, GenotypeXml::write);
@@ -185,7 +185,7 @@ public final class GenotypeXml {
                 !small && object.flag("fromCombiningCrossover"));
     }
 
-    /** Small genes have none of the fields that complete ones have besides. */
+    /** Whether a gene is small: it has none of the additional fields of a complete gene. */
     private static boolean isSmall(SerialisedObject gene, String className, String... omitted) {
         return gene.simpleClassName().equals(className) && !gene.hasAnyOf(omitted);
     }

@@ -11,7 +11,7 @@ public final class NetworkDot {
     /**
      * The DOT text of a network.
      *
-     * @param labels what its inputs and modules are called
+     * @param labels names of its inputs and modules
      * @throws IllegalArgumentException if the labels are for another network
      */
     public static String of(Genotype genotype, NetworkLabels labels) {

@@ -12,16 +12,16 @@ import mmneat.neat.NodeGene;
 import mmneat.neat.NodeType;
 
 /**
- * What a drawing or a graph file shows of a genotype: its neurons and its active links.
+ * The neurons and active links of a genotype that a drawing or a graph file shows.
  *
- * @param title one line that says which network it is
+ * @param title one line that identifies the network
  * @param neurons neurons in activation order
  * @param links active links in the genotype's order
  * @param modules name of each output module
  */
 record NetworkGraph(String title, List<Neuron> neurons, List<Link> links, List<String> modules) {
 
-    /** What a neuron is for. */
+    /** The role of a neuron. */
     enum Role {
         INPUT,
         HIDDEN,
@@ -32,10 +32,10 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links, List<S
     /**
      * A neuron.
      *
-     * @param innovation its historical marking
-     * @param role what it is for
+     * @param innovation its innovation number
+     * @param role its role
      * @param module the output's module; -1 for other neurons
-     * @param label an input's name, or what kind of neuron it is
+     * @param label an input's name, or the kind of the neuron
      */
     record Neuron(long innovation, Role role, int module, String label) {}
 
@@ -47,7 +47,7 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links, List<S
      * @param weight its weight
      */
     record Link(int source, int target, double weight) {
-        /** Whether the link acts one step later. */
+        /** Whether the link transmits its source's activation of the previous step. */
         boolean isRecurrent() {
             return target <= source;
         }
@@ -80,7 +80,7 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links, List<S
         return new NetworkGraph(title, neurons, links, modules);
     }
 
-    /** Width at which a link is drawn: grows with the size of the weight, quickly at first; at most 4.5. */
+    /** Width of a link in the drawing: it grows with the absolute weight, quickly at first, up to 4.5. */
     static double widthOf(double weight) {
         return 0.5 + 4 * (1 - Math.exp(-Math.abs(weight) / 2));
     }

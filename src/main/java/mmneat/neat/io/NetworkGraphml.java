@@ -7,16 +7,16 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
 import mmneat.neat.Genotype;
 
-/** Writes a network as GraphML, for Gephi, yEd, NetworkX and others. */
+/** Writes a network as GraphML, for example for Gephi, yEd or NetworkX. */
 public final class NetworkGraphml {
 
     private NetworkGraphml() {}
 
     /**
-     * The GraphML text of a network: nodes with label, role, module and innovation, edges with weight and whether they are
-     * recurrent.
+     * The GraphML text of a network: nodes with label, role, module and innovation, edges with weight and whether they
+     * are recurrent.
      *
-     * @param labels what its inputs and modules are called
+     * @param labels names of its inputs and modules
      * @throws IllegalArgumentException if the labels are for another network
      */
     public static String of(Genotype genotype, NetworkLabels labels) {

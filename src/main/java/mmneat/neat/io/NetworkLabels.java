@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * What the inputs and modules of a network are called where it is drawn. The task knows; a genotype does not.
+ * The names of a network's inputs and modules in drawings. They come from the task; a genotype does not contain them.
  *
- * @param inputs names of the inputs, one for each; none: they are numbered
- * @param modules names of the output modules, one for each; none: they are numbered from 1
+ * @param inputs names of the inputs, one for each; if empty, inputs are numbered
+ * @param modules names of the output modules, one for each; if empty, modules are numbered from 1
  */
 public record NetworkLabels(List<String> inputs, List<String> modules) {
 
-    /** Nothing is known: everything is numbered. */
+    /** Labels without names: everything is numbered. */
     public static final NetworkLabels NUMBERS = new NetworkLabels(List.of(), List.of());
 
     /**

@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Where the neurons of a drawing stand: inputs in a row below, hidden neurons in rows by how many links lie between them and the
- * inputs, outputs above in a box for each module. Coordinates in pixels, y downward.
+ * The layout of a drawing: inputs in the bottom row, hidden neurons in rows by their distance from the inputs in links,
+ * outputs on top in one box per module. Coordinates are in pixels, y downward.
  */
 final class NetworkPlan {
 
@@ -19,7 +19,7 @@ final class NetworkPlan {
     private static final double BOX_PADDING = 18;
     private static final double BOX_HEIGHT = 42;
     private static final double LEGEND_WIDTH = 610;
-    /** Of a letter of an input's label. */
+    /** Width of a letter of an input's label. */
     private static final double LETTER = 6.4;
 
     private final NetworkGraph graph;
@@ -91,7 +91,10 @@ final class NetworkPlan {
         return graph.neurons().get(neuron).module() >= 0;
     }
 
-    /** Hidden neurons by the longest way from an input over forward links; activation order makes one pass per link enough. */
+    /**
+     * Returns hidden neurons by the length of the longest path of forward links from an input. Links are visited in
+     * activation order, so one pass is enough.
+     */
     private List<List<Integer>> hiddenLayers() {
         int[] depth = new int[graph.neurons().size()];
         List<NetworkGraph.Link> forward = graph.links().stream()
@@ -128,7 +131,7 @@ final class NetworkPlan {
         return width;
     }
 
-    /** Room for the outputs of a module and for its name. */
+    /** Width needed for the outputs of a module and for its name. */
     private double boxWidth(int module) {
         return Math.max(
                 (outputsOf(module) - 1) * OUTPUT_SPACING + 2 * BOX_PADDING,
@@ -167,19 +170,19 @@ final class NetworkPlan {
         }
     }
 
-    /** Evenly spread, in the order of the places of the neurons that they are linked to. */
+    /** Places a layer at equal distances, ordered by the mean position of the linked neurons. */
     private void placeHidden(List<Integer> layer, double rowY) {
         List<Integer> ordered = new ArrayList<>(layer);
         double[] places = meanPlacesOfNeighbours();
         ordered.sort(Comparator.comparingDouble(neuron -> places[neuron]));
         placeRow(ordered, rowY);
-        // Slightly staggered, so that links along a row can be told apart.
+        // Slightly staggered, so that links within a row can be distinguished.
         for (int i = 0; i < ordered.size(); i++) {
             y[ordered.get(i)] += i % 2 == 0 ? -9 : 9;
         }
     }
 
-    /** Per neuron: the mean place of the neurons that have one already and are linked to it. */
+    /** Returns per neuron the mean position of its linked neurons that are already placed. */
     private double[] meanPlacesOfNeighbours() {
         double[] sum = new double[x.length];
         int[] count = new int[x.length];

@@ -8,14 +8,14 @@ import javax.xml.stream.XMLStreamWriter;
 import mmneat.neat.Genotype;
 
 /**
- * Draws a network as SVG, in the manner of Figure 1 of Schrum and Miikkulainen 2016: inputs below, output modules in boxes
- * above, preference neurons grey. A link's colour is the sign of its weight and its width the size; recurrent links are bowed
- * and dashed. Each neuron and link says what it is when pointed at.
+ * Draws a network as SVG, in the manner of Figure 1 of Schrum and Miikkulainen 2016: inputs below, output modules in
+ * boxes above, preference neurons grey. A link's colour shows the sign of its weight, its width the absolute weight.
+ * Recurrent links are curved and dashed. Each neuron and link has a tooltip.
  */
 public final class NetworkSvg {
 
     private static final double RADIUS = 8;
-    /** Dark and light, so that they differ in black and white too. */
+    /** Dark and light, so that they also differ in black and white. */
     private static final String POSITIVE = "#1f5a9e";
 
     private static final String NEGATIVE = "#ee6a4d";
@@ -33,7 +33,7 @@ public final class NetworkSvg {
     /**
      * The drawing of a network.
      *
-     * @param labels what its inputs and modules are called
+     * @param labels names of its inputs and modules
      * @throws IllegalArgumentException if the labels are for another network
      */
     public static String of(Genotype genotype, NetworkLabels labels) {
@@ -113,7 +113,7 @@ public final class NetworkSvg {
         if (!isLevel && !link.isRecurrent()) {
             return "M " + point(x1, y1) + " L " + point(x2, y2);
         }
-        // Bowed to one side by a part of the distance, so that there and back do not cover each other.
+        // Curved to one side in proportion to the distance, so that links in opposite directions do not overlap.
         double bow = isLevel ? 0.35 : 0.18;
         double controlX = (x1 + x2) / 2 + (y2 - y1) * bow;
         double controlY = (y1 + y2) / 2 - Math.abs(x2 - x1) * bow - (isLevel ? 12 : 0);

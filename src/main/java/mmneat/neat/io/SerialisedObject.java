@@ -9,7 +9,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * An object in the notation of the original's serialiser (WOX): a class name and fields by name. Every error names the field.
+ * An object in the notation of the original's serialiser (WOX): a class name and fields by name. Every error names the
+ * field.
  *
  * <p>Source: docs/specification/networks.md, section 12.
  */
@@ -28,7 +29,7 @@ final class SerialisedObject {
         this.objectsById = objectsById;
     }
 
-    /** The object that a document holds. */
+    /** Parses the object in a document. */
     static SerialisedObject parse(String xml) throws GenotypeFormatException {
         XmlElement root = XmlElement.parse(xml);
         Map<String, XmlElement> objectsById = new HashMap<>();
@@ -73,12 +74,12 @@ final class SerialisedObject {
         return new SerialisedObject(path, type, fields, objectsById);
     }
 
-    /** The name of the class without its package: the original was published under two. */
+    /** Returns the class name without its package: the original was published under two packages. */
     String simpleClassName() {
         return className.substring(className.lastIndexOf('.') + 1);
     }
 
-    /** Refuses an object of a class that has none of these simple names. */
+    /** Refuses an object whose class has none of these simple names. */
     void requireClass(String... simpleNames) throws GenotypeFormatException {
         if (!Set.of(simpleNames).contains(simpleClassName())) {
             throw new GenotypeFormatException(at(path) + "must be a " + simpleNames[0] + ", is a " + className);
@@ -90,7 +91,7 @@ final class SerialisedObject {
         return Set.of(names).stream().anyMatch(fields::containsKey);
     }
 
-    /** The name by which a field is there: the first if none of them is. */
+    /** Returns the first of these names for which a field exists; the first name if none exists. */
     String present(String... names) {
         for (String name : names) {
             if (fields.containsKey(name)) {
@@ -100,7 +101,7 @@ final class SerialisedObject {
         return names[0];
     }
 
-    /** Refuses fields that would be lost. */
+    /** Refuses unknown fields, whose values would be lost. */
     void requireNoFieldsBut(String... known) throws GenotypeFormatException {
         Set<String> unknown = new HashSet<>(fields.keySet());
         unknown.removeAll(Set.of(known));

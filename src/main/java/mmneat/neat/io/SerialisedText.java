@@ -67,7 +67,10 @@ final class SerialisedText {
         closeField();
     }
 
-    /** A list, as the original writes the insides of a {@code java.util.ArrayList}: spare places are nulls. */
+    /**
+     * Writes a list as the original writes the internal array of a {@code java.util.ArrayList}: unused elements are
+     * null.
+     */
     <T> void list(List<T> elements, BiConsumer<SerialisedText, T> writer) {
         int capacity = capacityFor(elements.size());
         open("java.util.ArrayList");
@@ -88,7 +91,7 @@ final class SerialisedText {
         text.append("\" id=\"").append(nextId++).append("\">");
     }
 
-    /** Places of a list that has grown one by one: 10, then half as many again. */
+    /** Capacity of a list to which elements were added one by one: 10, then half more each time. */
     private static int capacityFor(int size) {
         int capacity = 10;
         while (capacity < size) {

@@ -24,14 +24,14 @@ record XmlElement(String name, Map<String, String> attributes, List<XmlElement> 
     /** The original nests nine levels deep. */
     private static final int MAX_DEPTH = 32;
 
-    /** Enough for 60,000 links; every element takes some 250 bytes of memory. */
+    /** Enough for 60,000 links; every element takes about 250 bytes of memory. */
     private static final int MAX_ELEMENTS = 500_000;
 
     /**
-     * Parses a document. Document types, and with them entities of any kind, are refused; so are deep nests and
-     * documents of too many elements.
+     * Parses a document. Document types, and with them entities of any kind, are refused; so are deep nesting and
+     * documents with too many elements.
      *
-     * @throws GenotypeFormatException if the text is no such document
+     * @throws GenotypeFormatException if the text is not such a document
      */
     static XmlElement parse(String xml) throws GenotypeFormatException {
         XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
@@ -82,7 +82,7 @@ record XmlElement(String name, Map<String, String> attributes, List<XmlElement> 
                 case XMLStreamConstants.DTD, XMLStreamConstants.ENTITY_REFERENCE ->
                     throw new GenotypeFormatException("XML document types and entities are not allowed" + line(reader));
                 default -> {
-                    // Comments, white space and the end of the document say nothing.
+                    // Comments, white space and the end of the document are ignored.
                 }
             }
         }

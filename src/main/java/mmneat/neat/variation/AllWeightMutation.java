@@ -7,8 +7,8 @@ import mmneat.neat.LinkGene;
 import mmneat.random.ResumableRandom;
 
 /**
- * Adds a standard normal number to each weight with a given probability. Inactive links take part, frozen ones are passed over
- * without a draw; weights have no bound.
+ * Adds a standard normal number to each weight with a given probability. Inactive links are included; frozen links are
+ * skipped without a draw. Weights are unbounded.
  *
  * <p>Source: docs/specification/networks.md, section 8.2.
  *

@@ -15,8 +15,8 @@ import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 
 /**
- * Crosses two networks gene by gene. Each child has exactly the structure of its own parent; genes that both parents have are
- * swapped with probability 1/2. Fitness plays no part.
+ * Crosses two networks gene by gene. Each child has exactly the structure of its own parent; genes that both parents
+ * have are swapped with probability 1/2. Fitness plays no part.
  *
  * <p>Source: docs/specification/networks.md, section 9.
  *
@@ -24,7 +24,7 @@ import mmneat.random.ResumableRandom;
  */
 record Crossover(double excessRate) {
 
-    /** The links of two parents that stand for the same structure; one is null if a parent lacks it. */
+    /** The links of two parents that represent the same structure; one is null if a parent lacks it. */
     private record Pair(LinkGene ofA, LinkGene ofB) {}
 
     private record EndPoints(long source, long target) {
@@ -34,8 +34,8 @@ record Crossover(double excessRate) {
     }
 
     /**
-     * Crosses two fresh copies: each becomes the child with its structure. Ids, policy neurons per module and module usage stay
-     * with the structure.
+     * Crosses two copies of the parents: each becomes the child with its own structure. Each child keeps its id, policy
+     * neurons per module and module usage.
      */
     void cross(GenotypeDraft a, GenotypeDraft b, Archetype archetype, ResumableRandom random) {
         boolean isExcessShared = random.nextFloat() < excessRate;
@@ -54,15 +54,15 @@ record Crossover(double excessRate) {
         int modulesOfA = a.modules();
         a.replaceGenes(nodesOfA, linksOfA);
         if (a.modules() != modulesOfA) {
-            // As in the original the first child, and only it, counts no use of the modules it gained.
+            // As in the original, only the first child gets usage counts of 0 for the modules it gained.
             a.setModuleUsage(Arrays.copyOf(a.moduleUsage(), a.modules()));
         }
         b.replaceGenes(nodesOfB, linksOfB);
     }
 
     /**
-     * Swaps neurons that both parents have: one draw for each, in a's order. What both have comes in the same order in both
-     * lists, the archetype's; only full module mutation makes parents that differ in that, and each child keeps its own order.
+     * Swaps neurons that both parents have: one draw for each, in a's order. Shared neurons have the archetype's order
+     * in both lists. Only after full module mutation can the orders differ; then each child keeps its own.
      */
     private static void swapShared(List<NodeGene> a, List<NodeGene> b, ResumableRandom random) {
         Map<Long, Integer> placesInB = GenotypeDraft.positionsOf(b);
@@ -92,7 +92,7 @@ record Crossover(double excessRate) {
                 .toList();
     }
 
-    /** Deals the links to the children: one draw for each pair that both parents have. */
+    /** Distributes the links to the children: one draw for each pair that both parents have. */
     private static void distribute(
             List<Pair> pairs, boolean isExcessShared, List<LinkGene> toA, List<LinkGene> toB, ResumableRandom random) {
         for (Pair pair : pairs) {
@@ -113,7 +113,9 @@ record Crossover(double excessRate) {
         }
     }
 
-    /** Pairs the links of both parents, both in ascending order; of two that only one has, b's comes first. */
+    /**
+     * Pairs the links of both parents, both in ascending order; of two links that only one parent has, b's comes first.
+     */
     private static List<Pair> align(List<LinkGene> a, List<LinkGene> b) {
         Set<Long> inA = innovationsOf(a);
         Set<Long> inB = innovationsOf(b);
@@ -146,7 +148,10 @@ record Crossover(double excessRate) {
         return sorted;
     }
 
-    /** The links of b, those between the same neurons as a link of a under its number: they arose independently. */
+    /**
+     * Returns the links of b. A link between the same neurons as a link of a gets its innovation: the two arose
+     * independently.
+     */
     private static List<LinkGene> withInnovationsOf(List<LinkGene> a, List<LinkGene> b) {
         Map<EndPoints, Long> innovations = new HashMap<>(a.size() * 2);
         for (LinkGene link : a) {

@@ -4,7 +4,9 @@ import mmneat.neat.GenePool;
 import mmneat.neat.GenotypeDraft;
 import mmneat.random.ResumableRandom;
 
-/** Removes a random link, whatever depends on it. Source: docs/specification/networks.md, section 8.7. */
+/**
+ * Removes a random link, even if it is the only path to an output. Source: docs/specification/networks.md, section 8.7.
+ */
 final class DeleteLinkMutation implements MutationOperator {
 
     @Override

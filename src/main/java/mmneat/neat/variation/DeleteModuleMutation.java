@@ -15,10 +15,11 @@ import mmneat.random.ResumableRandom;
 /**
  * Removes a module, its outputs and their links from a network of several modules that has preference neurons.
  *
- * <p>The original ends the program here; this works. Outputs are known by position, so the modules behind the removed one take
- * over its outputs' innovations, and the links of moved outputs get new numbers: equal numbers keep meaning equal end points.
+ * <p>The original fails here; this implementation works. Innovations of outputs follow from their positions, so later
+ * modules move forward and take over innovations. The links of moved outputs get new numbers, because links with equal
+ * numbers must have equal end points.
  *
- * @param isLeastUsedChosen whether the module that was used least goes ({@code deleteLeastUsed}), of several the first;
+ * @param isLeastUsedChosen whether the least used module is removed ({@code deleteLeastUsed}; of several, the first),
  *     else a random one
  */
 record DeleteModuleMutation(boolean isLeastUsedChosen) implements MutationOperator {
@@ -53,7 +54,10 @@ record DeleteModuleMutation(boolean isLeastUsedChosen) implements MutationOperat
         return least;
     }
 
-    /** The nodes that stay; outputs behind the module move forward, and are noted under their old innovation. */
+    /**
+     * Returns the remaining nodes. Outputs after the removed module move forward; their new innovations are recorded by
+     * the old.
+     */
     private static List<NodeGene> keptNodes(
             GenotypeDraft offspring, ModuleLayout layout, int module, Map<Long, NodeGene> moved) {
         List<NodeGene> kept = new ArrayList<>(offspring.nodes().subList(0, offspring.firstOutput()));

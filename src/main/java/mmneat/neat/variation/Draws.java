@@ -2,7 +2,7 @@ package mmneat.neat.variation;
 
 import mmneat.random.ResumableRandom;
 
-/** The kinds of random draws that variation is made of. Source: docs/specification/networks.md, section 2. */
+/** Random draws used by the variation operators. Source: docs/specification/networks.md, section 2. */
 final class Draws {
 
     private Draws() {}
@@ -12,7 +12,7 @@ final class Draws {
         return random.nextDouble() * 2 - 1;
     }
 
-    /** The first {@code count} of the numbers 0..size-1 in the order of a full shuffle: size - 1 draws. */
+    /** Shuffles the numbers 0..size-1 completely, with size - 1 draws, and returns the first {@code count}. */
     static int[] distinct(int count, int size, ResumableRandom random) {
         int[] shuffled = new int[size];
         for (int i = 0; i < size; i++) {

@@ -13,18 +13,19 @@ import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 
 /**
- * Thaws the whole network, then freezes its policy neurons or its preference neurons with everything upstream of them, but not
- * through other outputs. Frozen links keep their weights and are not spliced; frozen neurons get no new links.
+ * Unfreezes the whole network, then freezes its policy neurons or its preference neurons and everything upstream of
+ * them. The upstream search does not pass through other outputs. Frozen links keep their weights and are not spliced;
+ * frozen neurons get no new links.
  *
  * <p>Source: docs/specification/networks.md, section 8.7.
  */
 record FreezeMutation(Part part) implements MutationOperator {
 
-    /** What is frozen. */
+    /** The part of the network to freeze. */
     enum Part {
         POLICY("FreezePolicyMutation"),
         PREFERENCE("FreezePreferenceMutation"),
-        /** The preference neurons if the policy is frozen, else the policy. */
+        /** The preference neurons if the policy neurons are frozen, else the policy neurons. */
         ALTERNATE("FreezeAlternateMutation");
 
         private final String logName;

@@ -11,7 +11,8 @@ import mmneat.random.ResumableRandom;
 /**
  * Adds a module whose policy and preference neurons are linked to all inputs.
  *
- * <p>Quirk: these output neurons take their innovation from the counter, all others have it by position.
+ * <p>Quirk: these output neurons take their innovation from the counter; that of all others follows from their
+ * position.
  *
  * <p>Source: docs/specification/networks.md, section 8.7.
  */

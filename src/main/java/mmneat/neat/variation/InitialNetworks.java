@@ -14,8 +14,8 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 
 /**
- * Makes the networks that evolution starts from: policy neurons linked to all inputs, preference neurons to one, no hidden
- * neurons.
+ * Factory of the networks that evolution starts from: policy neurons linked to all inputs, preference neurons to one
+ * input, no hidden neurons.
  *
  * <p>Source: docs/specification/networks.md, sections 3.2 and 3.3.
  *
@@ -30,7 +30,8 @@ public record InitialNetworks(
     /**
      * Checked settings.
      *
-     * @throws IllegalArgumentException if there is no input, or a policy neuron is to be linked to more inputs than there are
+     * @throws IllegalArgumentException if there is no input, or a policy neuron is to be linked to more inputs than
+     *     there are
      * @throws NullPointerException if a part is missing; the message names it
      */
     public InitialNetworks {
@@ -51,7 +52,7 @@ public record InitialNetworks(
         this(inputs, layout, InputSelection.ALL, ActivationFunction.TANH);
     }
 
-    /** A random network with an id and no module usage. */
+    /** Creates a random network with the given id and no module usage. */
     public Genotype create(long id, ResumableRandom random) {
         int outputs = layout.outputs();
         List<NodeGene> nodes = new ArrayList<>(inputs + outputs);
@@ -77,7 +78,8 @@ public record InitialNetworks(
     }
 
     /**
-     * A population of random networks with the next ids of a pool, which is founded on one of these networks.
+     * Creates a population of random networks with the next ids of the pool. The pool must have been made from one of
+     * these networks.
      *
      * @throws IllegalArgumentException if {@code size} is negative
      */
@@ -93,8 +95,8 @@ public record InitialNetworks(
     }
 
     /**
-     * The inputs linked to an output, in the order in which their weights are drawn: a selection keeps the order of its
-     * shuffle. Source: docs/specification/original-options.md, section 2.1.
+     * Returns the inputs linked to an output, in the order in which their weights are drawn. Randomly selected inputs
+     * keep the order of their shuffle. Source: docs/specification/original-options.md, section 2.1.
      */
     private int[] sourcesOf(int output, ResumableRandom random) {
         if (layout.isPreference(output)) {

@@ -1,10 +1,10 @@
 package mmneat.neat.variation;
 
 /**
- * How many inputs a policy neuron of a new network or module is connected to.
+ * The number of inputs to which a policy neuron of a new network or module is connected.
  *
  * @param isSelective whether only some randomly chosen inputs are connected (feature selective start, {@code fs})
- * @param linksPerOutput how many, if selective ({@code fsLinksPerOut})
+ * @param linksPerOutput number of inputs, if selective ({@code fsLinksPerOut})
  */
 public record InputSelection(boolean isSelective, int linksPerOutput) {
 
@@ -22,7 +22,7 @@ public record InputSelection(boolean isSelective, int linksPerOutput) {
         }
     }
 
-    /** Links into one policy neuron of a network with so many inputs. */
+    /** Number of links into one policy neuron of a network with this number of inputs. */
     int linksInto(int inputs) {
         return isSelective ? linksPerOutput : inputs;
     }

@@ -4,12 +4,15 @@ import java.util.List;
 import mmneat.neat.LinkGene;
 import mmneat.random.ResumableRandom;
 
-/** Uniform choice of a link that may be changed. */
+/** Uniform random choice of a link that mutation may change. */
 final class LinkChoice {
 
     private LinkChoice() {}
 
-    /** Index of a random link that is active and not frozen: one draw; -1, without a draw, if there is none. */
+    /**
+     * Returns the index of a random link that is active and not frozen, with one draw; -1 without a draw if there is
+     * none.
+     */
     static int amongActiveAndUnfrozen(List<LinkGene> links, ResumableRandom random) {
         int[] candidates = new int[links.size()];
         int count = 0;

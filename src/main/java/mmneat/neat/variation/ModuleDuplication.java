@@ -13,10 +13,11 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 
 /**
- * MM(D): adds a module whose policy neurons have the incoming links of a random module's, so that it answers like that module
- * until it is mutated, and a preference neuron of its own.
+ * MM(D): adds a module that copies the incoming links of a random module's policy neurons, so that both have the same
+ * outputs until one is mutated. The new module has its own preference neuron.
  *
- * <p>Quirk: the new neurons stand last, so a link that was recurrent for the old neuron can act at once for the new one.
+ * <p>Quirk: the new neurons come last in node order, so a link that was recurrent for the old neuron can be a forward
+ * link for the new one.
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 3.2; docs/specification/networks.md, section 8.5.
  */

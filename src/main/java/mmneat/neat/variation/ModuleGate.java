@@ -1,13 +1,13 @@
 package mmneat.neat.variation;
 
 /**
- * Decides whether an offspring may gain a module: only if every module of its parent was used enough.
+ * The rule that decides whether an offspring may gain a module: every module of its parent must have been used enough.
  *
  * <p>Source: docs/specification/networks.md, section 8.6.
  *
- * @param maxModules no module is added to a network that has so many ({@code maxModes})
- * @param usageForNewModule the least used of n modules must have been chosen in a share of at least 1 / (this * n) of the
- *     steps ({@code usageForNewMode}); 0: no share is enough
+ * @param maxModules no module is added to a network that has this number of modules ({@code maxModes})
+ * @param usageForNewModule the least used of n modules must have been chosen in at least 1 / (this * n) of the steps
+ *     ({@code usageForNewMode}); with 0 no module is ever added
  */
 public record ModuleGate(int maxModules, double usageForNewModule) {
 
@@ -26,7 +26,7 @@ public record ModuleGate(int maxModules, double usageForNewModule) {
         if (!(usageForNewModule >= 0)) {
             throw new IllegalArgumentException("usageForNewModule must be at least 0, is " + usageForNewModule);
         }
-        // Of minus zero the share that is asked for would be minus infinity: every usage would do instead of none.
+        // With minus zero the required share would be minus infinity: every usage would be enough instead of none.
         usageForNewModule = Math.abs(usageForNewModule);
     }
 
@@ -34,7 +34,7 @@ public record ModuleGate(int maxModules, double usageForNewModule) {
      * Whether a network may gain a module.
      *
      * @param modules modules of the network
-     * @param usage how often each was chosen in the last evaluation; all zero closes the gate
+     * @param usage how often each was chosen in the last evaluation; if all counts are 0, no module may be added
      */
     public boolean isOpen(int modules, int[] usage) {
         if (modules >= maxModules) {

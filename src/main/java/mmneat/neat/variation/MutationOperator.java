@@ -5,11 +5,10 @@ import mmneat.neat.GenotypeDraft;
 import mmneat.random.ResumableRandom;
 
 /**
- * One way of changing an offspring: a mutation operator. An operator of one's own is added with {@link
- * VariationSettings#withMutation}.
+ * A mutation operator: it changes one offspring. Add your own operator with {@link VariationSettings#withMutation}.
  *
- * <p>New genes take their innovation numbers from the pool. An operator keeps no state, and every random decision comes from the
- * generator that is passed in: then a run can be repeated.
+ * <p>New genes take their innovation numbers from the pool. An operator keeps no state and draws every random number
+ * from the generator that is passed in, so that a run can be repeated.
  */
 public interface MutationOperator {
 
@@ -19,9 +18,9 @@ public interface MutationOperator {
     /**
      * Changes an offspring.
      *
-     * @param offspring the genotype in the making; afterwards its genes are consistent again
-     * @param pool source of innovation numbers, and the archetype, which must learn of every new neuron
-     * @return whether the mutation was performed; false if the offspring offers nothing that it could change
+     * @param offspring the genotype to change; its genes must be consistent afterwards
+     * @param pool the source of innovation numbers, and the archetype, which must receive every new neuron
+     * @return whether the mutation was performed; false if it was not applicable
      */
     boolean apply(GenotypeDraft offspring, GenePool pool, ResumableRandom random);
 }

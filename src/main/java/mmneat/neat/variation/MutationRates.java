@@ -8,7 +8,7 @@ import java.util.Objects;
  * <p>Source: Schrum and Miikkulainen 2016, section 5.2.3; docs/specification/networks.md, sections 1 and 8.1.
  *
  * @param newLink a new link is tried ({@code netLinkRate})
- * @param spliceNeuron a neuron is put into a link ({@code netSpliceRate})
+ * @param spliceNeuron a neuron is spliced into a link ({@code netSpliceRate})
  * @param perLinkWeight each weight is changed ({@code perLinkMutateRate})
  * @param oneWeight a single weight is changed; only if {@code perLinkWeight} is 0 ({@code netPerturbRate})
  * @param module rates of the mutations that add a module
@@ -114,8 +114,8 @@ public record MutationRates(
     /**
      * Rates of the mutations that freeze a part of the network.
      *
-     * @param policy policy neurons and what leads to them ({@code freezePolicyRate})
-     * @param preference preference neurons and what leads to them ({@code freezePreferenceRate})
+     * @param policy policy neurons and everything upstream of them ({@code freezePolicyRate})
+     * @param preference preference neurons and everything upstream of them ({@code freezePreferenceRate})
      * @param alternate the one of the two that is not frozen ({@code freezeAlternateRate})
      */
     public record FreezingRates(double policy, double preference, double alternate) {

@@ -10,8 +10,8 @@ import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 
 /**
- * Links a random neuron to a random neuron that has outgoing links or is an output. If the two are linked already nothing is
- * added, and there is no second attempt.
+ * Links a random neuron to a random neuron that has outgoing links or is an output. If the two are already linked,
+ * nothing is added and there is no second attempt.
  *
  * <p>Source: docs/specification/networks.md, section 8.3.
  */
@@ -41,9 +41,7 @@ final class NewLinkMutation implements MutationOperator {
         return true;
     }
 
-    /**
-     * Neurons that a link may lead to. A hidden neuron without outgoing links is none of them, though inactive links count.
-     */
+    /** Returns the possible targets of a link. A hidden neuron must have outgoing links; inactive ones count. */
     private static Long[] possibleTargets(GenotypeDraft offspring) {
         List<NodeGene> nodes = offspring.nodes();
         Set<Long> inputsAndFrozen = new HashSet<>();
@@ -52,7 +50,7 @@ final class NewLinkMutation implements MutationOperator {
                 inputsAndFrozen.add(nodes.get(i).innovation());
             }
         }
-        // The original draws from the iteration order of exactly this set, which depends on how it was filled.
+        // The original draws from the iteration order of this hash set, which depends on how it was filled.
         Set<Long> targets = new HashSet<>();
         for (LinkGene link : offspring.links()) {
             if (!inputsAndFrozen.contains(link.source())) {

@@ -10,7 +10,8 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 
 /**
- * A module that is being added to an offspring: its policy neurons are appended by the mutation, its preference neuron here.
+ * A module that is being added to an offspring. The mutation appends its policy neurons; this class appends its
+ * preference neuron.
  *
  * <p>Source: docs/specification/networks.md, section 8.5, steps 1, 4 and 5.
  */
@@ -29,7 +30,7 @@ final class NewModule {
     }
 
     /**
-     * Starts a module; a network of one module gets the preference neuron that it lacked.
+     * Starts a module. A network of one module first gets the preference neuron that it lacks.
      *
      * @throws IllegalStateException if the network is a multitask network, whose task would never use the new module
      */
@@ -53,7 +54,7 @@ final class NewModule {
         offspring.addModule();
     }
 
-    /** Ends a module all of whose outputs have been appended. */
+    /** Ends the module after all its outputs have been appended. */
     void finish() {
         offspring.addModule();
     }

@@ -6,11 +6,11 @@ import java.util.OptionalLong;
 import mmneat.neat.Genotype;
 
 /**
- * A child and how it came to be.
+ * A child with the record of its parents and mutations.
  *
  * @param genotype the child, mutated
- * @param firstParent id of the first parent; of a child of two, the one named first in the original's lineage log, whichever
- *     of the two gave the structure
+ * @param firstParent id of the first parent. For a child of two parents, it is the parent named first in the original's
+ *     lineage log, which need not be the one with the child's structure
  * @param secondParent id of the other parent, if there was a crossover
  * @param mutations names of the mutations that were performed, in order, as in the original's log of mutations
  */

@@ -8,9 +8,9 @@ import mmneat.neat.GenotypeDraft;
 import mmneat.random.ResumableRandom;
 
 /**
- * The complete mutation of one offspring: every operator in turn, each with its probability.
+ * The complete mutation of one offspring: it applies every operator in order, each with its probability.
  *
- * <p>An operator whose rate is 0 still takes its draw. Source: docs/specification/networks.md, section 8.1.
+ * <p>An operator whose rate is 0 still takes one random draw. Source: docs/specification/networks.md, section 8.1.
  */
 final class OffspringMutation {
 
@@ -50,7 +50,7 @@ final class OffspringMutation {
         mutations.add(new Chance(rates.previous(), new PreviousModuleMutation(activation)));
         mutations.add(new Chance(rates.random(), new RandomModuleMutation(settings.selection(), activation)));
         mutations.add(new Chance(rates.duplication(), new ModuleDuplication(activation)));
-        // Networks that start feature selective are never given fully connected modules: not even the draw is made.
+        // A feature selective start never adds fully connected modules, and draws no number for them.
         if (!settings.selection().isSelective()) {
             mutations.add(new Chance(rates.full(), new FullModuleMutation(activation)));
         }

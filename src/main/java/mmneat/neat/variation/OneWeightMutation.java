@@ -6,7 +6,8 @@ import mmneat.neat.LinkGene;
 import mmneat.random.ResumableRandom;
 
 /**
- * Adds a standard normal number to the weight of one random link: what the original does if {@code perLinkMutateRate} is 0.
+ * Adds a standard normal number to the weight of one random link. The original uses it if {@code perLinkMutateRate} is
+ * 0.
  *
  * <p>Source: docs/specification/networks.md, section 8.2.
  */

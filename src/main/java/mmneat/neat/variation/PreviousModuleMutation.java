@@ -10,7 +10,8 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 
 /**
- * MM(P): adds a module whose policy neurons each have one link, from the last module's policy neuron of the same place.
+ * MM(P): adds a module whose policy neurons each have one link, from the last module's policy neuron at the same
+ * position.
  *
  * <p>Source: Schrum and Miikkulainen 2012; docs/specification/networks.md, section 8.7.
  */

@@ -11,8 +11,8 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 
 /**
- * MM(R): adds a module whose policy neurons have links from random inputs and hidden neurons, as many as a policy neuron has
- * at the start. A source that is drawn again adds nothing but uses up an innovation number.
+ * MM(R): adds a module whose policy neurons have links from random inputs and hidden neurons, as many as a policy
+ * neuron has at the start. A source that is drawn again adds no link but uses up an innovation number.
  *
  * <p>Source: Schrum and Miikkulainen 2012; docs/specification/networks.md, section 8.7.
  */

@@ -11,9 +11,8 @@ import mmneat.neat.ModuleLayout;
 import mmneat.random.ResumableRandom;
 
 /**
- * Makes offspring from parents: copy, crossover, mutation. Parents are left as they are; innovations, ids and the archetype
- * advance in the gene pool. A pool and its genotypes belong together: parents of another pool are refused as far as they can
- * be told.
+ * Makes offspring from parents: copy, crossover, mutation. Parents are not changed. Innovation numbers, ids and the
+ * archetype advance in the gene pool. Parents that belong to another pool are refused as far as this can be detected.
  *
  * <p>Source: docs/specification/networks.md, sections 7 to 10; docs/specification/evolution.md, section 2.4.
  */
@@ -24,7 +23,7 @@ public final class Reproduction {
     private final OffspringMutation mutation;
 
     /**
-     * Reproduction of the genotypes of a pool.
+     * Reproduction of the genotypes of one pool.
      *
      * @throws NullPointerException if one of them is missing
      */
@@ -36,7 +35,7 @@ public final class Reproduction {
     }
 
     /**
-     * A mutated copy of one parent.
+     * Returns a mutated copy of one parent.
      *
      * @throws IllegalArgumentException if the parent has genes that are not of this pool
      * @throws IllegalStateException if a module is to be added to a multitask network
@@ -48,12 +47,13 @@ public final class Reproduction {
     }
 
     /**
-     * The children of two parents, who may be the same. The child with the second parent's structure comes first; if there is
-     * room for one child only, it is dropped before it is mutated, as in the original.
+     * Returns the children of two parents, which may be the same. The child with the second parent's structure comes
+     * first. If there is room for one child only, that child is dropped before it is mutated, as in the original.
      *
-     * @param room how many children are wanted, at least 1; more than 2 counts as 2
-     * @throws IllegalArgumentException if there is no room, a parent has genes that are not of this pool, or one is a multitask
-     *     network and the other is not, or they differ in the number of inputs or of policy neurons per module
+     * @param room the largest number of children to return, at least 1; more than 2 counts as 2
+     * @throws IllegalArgumentException if {@code room} is less than 1, a parent has genes that are not of this pool,
+     *     only one parent is a multitask network, or the parents differ in the number of inputs or of policy neurons
+     *     per module
      * @throws IllegalStateException if a module is to be added to a multitask network
      */
     public List<Offspring> fromTwo(Genotype first, Genotype second, int room, ResumableRandom random) {
@@ -64,7 +64,7 @@ public final class Reproduction {
         pool.requireOwn(first);
         pool.requireOwn(second);
         GenotypeDraft firstChild = GenotypeDraft.copyOf(first, pool.takeGenotypeId());
-        // The original copies the second parent, which takes an id, and makes the child from that copy under another.
+        // The original copies the second parent, which takes an id, and makes the child from that copy with another id.
         pool.takeGenotypeId();
         GenotypeDraft secondChild = GenotypeDraft.copyOf(second, pool.takeGenotypeId());
         crossover.cross(firstChild, secondChild, pool.archetype(), random);

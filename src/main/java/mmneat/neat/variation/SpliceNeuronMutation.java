@@ -11,8 +11,8 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 
 /**
- * Puts a new hidden neuron into a random link. The link becomes inactive and the two new links have small random weights, so
- * that the network's behaviour changes at once.
+ * Splices a new hidden neuron into a random link. The link becomes inactive, and the two new links have small random
+ * weights. So the network's behaviour changes at once.
  *
  * <p>Source: docs/specification/networks.md, sections 4.3 and 8.4.
  */
@@ -47,7 +47,10 @@ record SpliceNeuronMutation(ActivationFunction activation) implements MutationOp
         return true;
     }
 
-    /** Right behind a hidden source, before all hidden neurons for an input, behind them for an output. */
+    /**
+     * Inserts the neuron: directly after a hidden source, before all hidden neurons if the source is an input, after
+     * them if it is an output.
+     */
     private static int insert(NodeGene neuron, long source, GenotypeDraft offspring) {
         int position = Math.min(offspring.firstOutput(), Math.max(offspring.inputs(), offspring.indexOf(source) + 1));
         offspring.nodes().add(position, neuron);
@@ -57,7 +60,7 @@ record SpliceNeuronMutation(ActivationFunction activation) implements MutationOp
     private static void insertIntoArchetype(NodeGene neuron, long source, GenotypeDraft offspring, GenePool pool) {
         Archetype archetype = pool.archetype();
         int position = archetype.insertSpliced(neuron, source, offspring.inputs());
-        // The original's preparation for a crossover that never happens; it costs a number and an entry.
+        // The original prepares a crossover that never happens; this uses up an innovation number.
         if (offspring.modules() == 1 && archetype.needsShadow(position)) {
             archetype.insertShadow(position, pool.takeInnovation());
         }

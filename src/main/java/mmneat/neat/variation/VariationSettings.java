@@ -6,17 +6,17 @@ import java.util.Objects;
 import mmneat.neat.ActivationFunction;
 
 /**
- * How offspring differ from their parents.
+ * The settings of mutation and crossover.
  *
  * @param rates mutation rates
  * @param gate when a module may be added
- * @param crossoverExcessRate probability that a crossover gives both children all genes that only one parent has, in [0, 1]
- *     ({@code crossExcessRate})
+ * @param crossoverExcessRate probability that a crossover gives both children all genes that only one parent has, in
+ *     [0, 1] ({@code crossExcessRate})
  * @param isLeastUsedModuleDeleted whether module deletion takes the least used module, else a random one ({@code
  *     deleteLeastUsed})
  * @param selection inputs that a new module is linked to
  * @param activation activation function of new neurons
- * @param ownMutations mutation operators of the caller's own, tried in this order after all others; usually none
+ * @param ownMutations additional mutation operators of the caller, tried in this order after all others; usually none
  */
 public record VariationSettings(
         MutationRates rates,
@@ -28,10 +28,10 @@ public record VariationSettings(
         List<OwnMutation> ownMutations) {
 
     /**
-     * A mutation operator of the caller's own.
+     * An additional mutation operator of the caller.
      *
      * @param rate probability that it is tried on an offspring, in [0, 1]
-     * @param operator what it does
+     * @param operator the operator
      */
     public record OwnMutation(double rate, MutationOperator operator) {
 
@@ -67,7 +67,7 @@ public record VariationSettings(
         }
     }
 
-    /** Settings without mutation operators of the caller's own. */
+    /** Settings without additional mutation operators. */
     public VariationSettings(
             MutationRates rates,
             ModuleGate gate,
@@ -90,7 +90,7 @@ public record VariationSettings(
     }
 
     /**
-     * These settings with one more mutation operator of the caller's own, tried last.
+     * Returns these settings with one more mutation operator, which is tried last.
      *
      * @throws IllegalArgumentException if the rate is not in [0, 1]
      */

@@ -50,8 +50,8 @@ class GenotypeXmlTest {
     }
 
     /**
-     * How many spare places a list has depends on how it came to be, and means nothing; and versions of Java differ in the last
-     * digits that they print of a double.
+     * Removes the unused elements of lists, whose number depends on how a list was filled, and parses and prints
+     * doubles again: versions of Java differ in the last printed digits of a double.
      */
     private static String withoutSparePlaces(String xml) {
         String filled = xml.replace("<object />", "").replaceAll("(\"java.lang.Object\" length)=\"\\d+\"", "$1=any");
@@ -88,7 +88,7 @@ class GenotypeXmlTest {
         assertThat(GenotypeXml.read(xml)).isEqualTo(NETWORK);
     }
 
-    /** The fields of the original since 2016, under its later package. */
+    /** Renames fields and package to those of the original since 2016. */
     private static String later(String xml) {
         return xml.replace("edu.utexas.cs.nn.", "edu.southwestern.")
                 .replace("$NodeGene", "$FullNodeGene")

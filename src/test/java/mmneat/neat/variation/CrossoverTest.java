@@ -14,7 +14,7 @@ import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Parents whose outputs stand in different order, as full module mutation makes them. */
+/** Crossover of parents whose outputs are in different order, as after full module mutation. */
 class CrossoverTest {
 
     private static final int INPUTS = 3;
@@ -25,7 +25,10 @@ class CrossoverTest {
     private final Genotype second = withModulesExchanged(first);
     private final GenePool pool = GenePool.foundedOn(first);
 
-    /** The same network with the second module before the first, its nodes frozen to tell them from the other's. */
+    /**
+     * Returns the same network with the second module before the first. Its nodes are frozen, to distinguish them from
+     * those of the other.
+     */
     private static Genotype withModulesExchanged(Genotype genotype) {
         List<NodeGene> nodes = new ArrayList<>();
         for (NodeGene node : genotype.nodes()) {

@@ -119,7 +119,10 @@ class DeleteModuleMutationTest {
         return draft.finish();
     }
 
-    /** Three modules of a policy and a preference neuron; nothing reads an output, so that modules do not depend on each other. */
+    /**
+     * Three modules with a policy and a preference neuron each; outputs have no outgoing links, so modules do not
+     * depend on each other.
+     */
     private Genotype threeModules() {
         Genotype grown = SampleGenotypes.grown(random, 6, SampleGenotypes.withPreference(MODULES), 8, 60);
         Set<Long> outputs = new HashSet<>();

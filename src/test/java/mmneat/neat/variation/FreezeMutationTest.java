@@ -108,7 +108,10 @@ class FreezeMutationTest {
         return draft.finish();
     }
 
-    /** The outputs of a kind and everything from which they are reached without passing another output; by repetition. */
+    /**
+     * Returns the outputs of a kind and all neurons from which they can be reached without passing another output. It
+     * repeats until nothing is added.
+     */
     private static Set<Long> upstream(Genotype genotype, boolean preferences) {
         Set<Long> outputs = new HashSet<>();
         Set<Long> found = new HashSet<>();

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 
-/** Every recorded crossover of the original gives the same two children with the same draws. */
+/** Every recorded crossover of the original is reproduced: the same two children with the same random draws. */
 @Tag("conformance")
 class GoldenCrossoverTest {
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 
-/** Each of the sixteen configurations starts from the original's networks. */
+/** Each of the sixteen configurations starts with the original's initial networks. */
 @Tag("conformance")
 class GoldenInitialPopulationTest {
 
@@ -37,7 +37,7 @@ class GoldenInitialPopulationTest {
         GenePool pool = GenePool.foundedOn(example);
         List<Genotype> population = networks.createPopulation(2, pool, random);
 
-        // The original's example carries usage counts of another length, which nothing reads.
+        // The original's example has unused usage counts of another length.
         assertThat(example.withModuleUsage(expectedExample.moduleUsage())).isEqualTo(expectedExample);
         assertThat(population)
                 .isEqualTo(GoldenGenotypes.elements(c.required("population")).stream()
@@ -46,7 +46,7 @@ class GoldenInitialPopulationTest {
         assertThat(pool.state()).isEqualTo(GoldenGenotypes.state(c.required("state")));
         assertThat(example.layout().hasPreferenceNeurons())
                 .isEqualTo(c.required("uses_preference_neurons").booleanValue());
-        // The original's generator is seeded again before evolution begins.
+        // The original seeds its generator again before evolution starts.
         random.setSeed(c.required("seed").longValue());
         assertThat(random.nextInt()).isEqualTo(c.required("next_int_after").intValue());
     }

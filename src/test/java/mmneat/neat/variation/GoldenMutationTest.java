@@ -14,7 +14,10 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 
-/** Every recorded mutation of the original gives the same genes, archetype and counters with the same draws. */
+/**
+ * Every recorded mutation of the original is reproduced: the same genes, archetype and counters with the same random
+ * draws.
+ */
 @Tag("conformance")
 class GoldenMutationTest {
 

@@ -27,8 +27,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 /**
- * Our operators behave statistically as the original's did in 10,000 trials each. Seeded; the limits are four standard errors of
- * the difference between two samples, a little more where hundreds of numbers are compared.
+ * The operators have the same statistics as the original's in 10,000 trials each. Seeds are fixed. The limits are four
+ * standard errors of the difference between two samples, slightly more where hundreds of numbers are compared.
  */
 @Tag("conformance")
 class GoldenStatisticsTest {
@@ -67,7 +67,7 @@ class GoldenStatisticsTest {
                 .isLessThanOrEqualTo(4.5 * errorOfSd);
     }
 
-    /** Two counts of the same kind of event; those that never happened must never happen. */
+    /** Compares two counts of the same event. If the original's count is 0, ours must be 0. */
     private static void assertCount(String what, int ours, int oursOf, int theirs, int theirsOf) {
         if (theirs == 0) {
             assertThat(ours).as(what).isZero();

@@ -17,7 +17,7 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Rules of the operators that the recorded cases of the original do not show. */
+/** Rules of the operators that the recorded cases of the original do not cover. */
 class OperatorRulesTest {
 
     private static final int INPUTS = 3;

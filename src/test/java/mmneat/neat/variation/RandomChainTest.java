@@ -22,8 +22,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Thousands of random mutations and crossovers for each method; after each one everything that must hold of a genotype, of the
- * archetype and of their files is checked.
+ * Thousands of random mutations and crossovers for each method. After each, all invariants of the genotype, the
+ * archetype and their files are checked.
  */
 class RandomChainTest {
 
@@ -33,7 +33,7 @@ class RandomChainTest {
     private static final int MOST_MODULES = 6;
 
     /**
-     * Everything on, often: also what the published experiments leave off.
+     * Settings with every operator at a high rate, including those that the published experiments do not use.
      *
      * @param moduleRate of MM(P), MM(R) and MM(D) each
      */
@@ -118,7 +118,9 @@ class RandomChainTest {
                         "AllWeightMutation");
     }
 
-    /** Full module mutation puts modules into the archetype in another order than into networks: the only one that does. */
+    /**
+     * Full module mutation is the only operator that adds modules to the archetype in another order than to networks.
+     */
     @Test
     void everyOffspring_isPartOfTheArchetype_withoutFullModuleMutation() {
         ModuleLayout layout = ModuleLayout.withPreferenceNeurons(2, 1);
@@ -165,14 +167,14 @@ class RandomChainTest {
         assertThat(most[0]).isEqualTo(MOST_MODULES);
     }
 
-    /** Like an assertion of equality, but quick enough for every gene of every offspring. */
+    /** An assertion of equality that is fast enough for every gene of every offspring. */
     private static <T> void requireEqual(T actual, T expected, String what) {
         if (!actual.equals(expected)) {
             throw new AssertionError(what + ": expected " + expected + " but was " + actual);
         }
     }
 
-    /** The constructor has checked node order, link ends and duplicates. */
+    /** Checks what the constructor does not check. The constructor checks node order, link ends and duplicates. */
     private static void requireInvariants(Genotype genotype, int inputs, ModuleLayout start) {
         assertThat(genotype.inputs()).isEqualTo(inputs);
         for (int i = 0; i < inputs; i++) {
@@ -216,7 +218,7 @@ class RandomChainTest {
         }
     }
 
-    /** A link innovation always stands for the same end points, however long ago it arose. */
+    /** Checks that a link innovation always has the same end points, in all generations. */
     private static void requireOneMeaning(Genotype genotype, Map<Long, String> structures) {
         for (LinkGene link : genotype.links()) {
             String ends = link.source() + ">" + link.target();

@@ -7,7 +7,10 @@ import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
-/** Small populations that breed at random, without selection: every kind of network that evolution may meet. */
+/**
+ * Small populations that reproduce at random, without selection, to generate all kinds of networks that evolution can
+ * produce.
+ */
 public final class RandomLineages {
 
     private final Reproduction reproduction;
@@ -30,7 +33,7 @@ public final class RandomLineages {
         return population;
     }
 
-    /** Breeds a number of times; after each the offspring take the places of random members. Cleans now and then. */
+    /** Reproduces a number of times. The offspring replace random members. The archetype is cleaned at intervals. */
     public void breed(int times, Consumer<Offspring> check) {
         for (int i = 0; i < times; i++) {
             Genotype first = evaluated(population.get(random.nextInt(population.size())));
@@ -51,7 +54,7 @@ public final class RandomLineages {
         }
     }
 
-    /** A parent whose modules were used evenly, or not, as it happens. */
+    /** Returns the parent with random module usage, even or uneven. */
     private Genotype evaluated(Genotype parent) {
         int[] usage = new int[parent.modules()];
         for (int i = 0; i < usage.length; i++) {

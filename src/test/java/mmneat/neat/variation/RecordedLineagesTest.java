@@ -17,8 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Random lineages of every method end as they did when this was recorded, with code that reproduced all of the original's recorded
- * cases: guards the same exactness where those are not at hand.
+ * Random lineages of every method equal recorded ones. They were recorded with code that reproduced all recorded cases
+ * of the original. So this test checks exactness where the golden files are not available.
  */
 class RecordedLineagesTest {
 
@@ -56,7 +56,10 @@ class RecordedLineagesTest {
         assertThat(outcome).isEqualTo(recorded().getProperty(method));
     }
 
-    /** All genes; weights as bits, because the decimal form of a double is not the same in all versions of Java. */
+    /**
+     * Returns all genes as text; weights as bits, because the decimal form of a double differs between versions of
+     * Java.
+     */
     private static String genesOf(Genotype genotype) {
         StringBuilder genes = new StringBuilder().append(genotype.id());
         genotype.nodes().forEach(node -> genes.append(' ').append(node.innovation()));

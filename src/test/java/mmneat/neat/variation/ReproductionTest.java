@@ -13,7 +13,7 @@ import mmneat.neat.ModuleLayout;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Parents that do not belong together. */
+/** Parents of different pools or tasks are refused. */
 class ReproductionTest {
 
     private static final ModuleLayout LAYOUT = ModuleLayout.withPreferenceNeurons(2, 1);

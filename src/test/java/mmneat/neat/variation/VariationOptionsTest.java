@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Settings that the published experiments leave alone: what they change, and how many draws they take. */
+/** Settings that the published experiments do not use: their effects, and the number of random draws they take. */
 class VariationOptionsTest {
 
     private static final int INPUTS = 7;
@@ -30,7 +30,7 @@ class VariationOptionsTest {
     private final Genotype network =
             new InitialNetworks(INPUTS, ModuleLayout.withPreferenceNeurons(2, 1)).create(0, random);
 
-    /** Rates that are all 0 but the one of changing a single weight. */
+    /** Rates that are all 0 except that of changing a single weight. */
     private static MutationRates withOneWeight(double rate) {
         return new MutationRates(
                 0,
@@ -46,7 +46,7 @@ class VariationOptionsTest {
         return new VariationSettings(rates, ModuleGate.PUBLISHED, 0, false, selection, ActivationFunction.TANH);
     }
 
-    /** Mutates the network and counts the draws of a number that decides about an operator. */
+    /** Mutates the network and counts the draws that decide whether an operator is applied. */
     private int drawsOf(VariationSettings settings, int[] usage) {
         ResumableRandom counted = random.copy();
         GenotypeDraft draft = GenotypeDraft.of(network.withModuleUsage(usage));
