@@ -31,6 +31,16 @@ public class EvaluationBenchmark {
     @Param({"BLENDED", "ISOLATED"})
     public TaskVersion version;
 
+    /** The paper's sensors, or separate ones for threats and edible ghosts. */
+    @Param({"PUBLISHED", "SPLIT"})
+    public Sensors sensors;
+
+    /** Choices of sensors. */
+    public enum Sensors {
+        PUBLISHED,
+        SPLIT
+    }
+
     /** Networks of an early generation, or of the size of champions. */
     @Param({"MUTATED_30_TIMES", "CHAMPION_SIZED"})
     public Networks networks;
@@ -48,7 +58,7 @@ public class EvaluationBenchmark {
 
     @Setup(Level.Trial)
     public void prepare() {
-        task = EvaluationWorkload.task(version);
+        task = sensors == Sensors.SPLIT ? EvaluationWorkload.splitTask(version) : EvaluationWorkload.task(version);
         population = networks == Networks.MUTATED_30_TIMES
                 ? EvaluationWorkload.mutated(task.inputs(), NETWORKS, 30)
                 : EvaluationWorkload.grown(task.inputs(), NETWORKS);

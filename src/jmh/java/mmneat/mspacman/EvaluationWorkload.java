@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.util.ArrayList;
 import java.util.List;
+import mmneat.mspacman.sensors.SensorSettings;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
@@ -25,12 +26,29 @@ final class EvaluationWorkload {
     private EvaluationWorkload() {}
 
     static MsPacManTask task(TaskVersion version) {
-        return new MsPacManTask(
-                switch (version) {
-                    case BLENDED -> MsPacManTaskSettings.blended();
-                    case INTERLEAVED -> MsPacManTaskSettings.interleaved();
-                    case ISOLATED -> MsPacManTaskSettings.isolated(anyGhostLocations());
-                });
+        return new MsPacManTask(settings(version));
+    }
+
+    /** The task with separate sensors for threats and for edible ghosts. */
+    static MsPacManTask splitTask(TaskVersion version) {
+        MsPacManTaskSettings published = settings(version);
+        return new MsPacManTask(new MsPacManTaskSettings(
+                version,
+                published.trials(),
+                published.rules(),
+                SensorSettings.split(),
+                published.division(),
+                published.arbitration(),
+                published.ghosts(),
+                published.deterministic()));
+    }
+
+    private static MsPacManTaskSettings settings(TaskVersion version) {
+        return switch (version) {
+            case BLENDED -> MsPacManTaskSettings.blended();
+            case INTERLEAVED -> MsPacManTaskSettings.interleaved();
+            case ISOLATED -> MsPacManTaskSettings.isolated(anyGhostLocations());
+        };
     }
 
     /** Networks of two modules with so many mutations behind them, as in an early generation. */

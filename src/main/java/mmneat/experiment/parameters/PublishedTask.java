@@ -21,6 +21,19 @@ public final class PublishedTask {
     private static final Set<String> NOT_OF_THE_EVOLUTION =
             Set.of("Everyday", "Run control", "Post-evaluation and display");
 
+    /** What the experiments of other papers change: sensors, selection, module mutation, lives. */
+    private static final Set<String> OF_OTHER_EXPERIMENTS = Set.of(
+            "specific",
+            "specificGhostProximityOrder",
+            "specificGhostEdibleThreatSplit",
+            "eTimeVsGDis",
+            "ea",
+            "mmrRate",
+            "mmpRate",
+            "fullMMRate",
+            "pacmanLives",
+            "pacManGainsLives");
+
     private PublishedTask() {}
 
     /**
@@ -122,9 +135,13 @@ public final class PublishedTask {
         return differences;
     }
 
-    /** Whether one of the parameters is among those that make a method: another value makes a method of its own. */
+    /**
+     * Whether one of the parameters is among those that make a method, or an experiment of another paper: another value makes a method
+     * of its own.
+     */
     public static boolean changesTheMethod(Collection<String> names) {
-        return !Collections.disjoint(names, PublishedConfigurations.namesOfMethods());
+        return !Collections.disjoint(names, PublishedConfigurations.namesOfMethods())
+                || !Collections.disjoint(names, OF_OTHER_EXPERIMENTS);
     }
 
     /**

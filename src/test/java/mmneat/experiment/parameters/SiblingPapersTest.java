@@ -15,6 +15,7 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import mmneat.GoldenData;
 import mmneat.experiment.run.ExperimentPlan;
+import mmneat.mspacman.TaskVersion;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -75,6 +76,21 @@ class SiblingPapersTest {
                             recorded.map(folder -> folder.getFileName().toString())
                                     .filter(name -> name.contains("Split-") || name.contains("-TUG"))
                                     .toList());
+        }
+    }
+
+    @Test
+    void noneOfThem_isTakenForAMethodOfThePaper() throws IOException {
+        for (Path file : files()) {
+            Parameters parameters = reader.read(List.of("config=" + file)).parameters();
+            TaskVersion version = PublishedTask.version(parameters).orElseThrow();
+            String method = PublishedTask.method(parameters.values()).orElseThrow();
+            if (PublishedConfigurations.methodsOf(version).contains(method)) {
+                Map<String, String> differences = PublishedTask.differences(version, method, parameters.values());
+                assertThat(PublishedTask.changesTheMethod(differences.keySet()))
+                        .as(file.toString())
+                        .isTrue();
+            }
         }
     }
 
