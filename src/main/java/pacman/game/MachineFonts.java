@@ -25,8 +25,10 @@ public final class MachineFonts {
             graphics.drawString("x", 0, graphics.getFontMetrics().getAscent());
             graphics.dispose();
             return true;
-        } catch (RuntimeException | LinkageError | InternalError e) {
-            // Whatever is missing, fonts, their configuration or a library, Java reports it in one of these ways.
+        } catch (OutOfMemoryError | StackOverflowError e) {
+            throw e;
+        } catch (RuntimeException | Error e) {
+            // Fonts, their configuration or a library is missing: Java throws an error of another type for each.
             return false;
         }
     }
