@@ -105,6 +105,37 @@ class CitationTest {
         assertThat(broken).isEmpty();
     }
 
+    @Test
+    void documentsAboutTheOriginal_nameItsVersion() throws IOException {
+        List<String> unnamed = new ArrayList<>();
+        for (Path file : files("", ".md")) {
+            String text = Files.readString(file);
+            if (!file.toString().contains("study")
+                    && text.toLowerCase(Locale.ROOT).contains("the original")
+                    && !text.contains("39084fd")) {
+                unnamed.add(PROJECT.relativize(file).toString());
+            }
+        }
+        assertThat(unnamed).isEmpty();
+    }
+
+    @Test
+    void classesInTheRecipes_exist() throws IOException {
+        String guide = Files.readString(PROJECT.resolve("CONTRIBUTING.md"));
+        String recipes = guide.substring(guide.indexOf("## Recipes"));
+        Set<String> classes = new HashSet<>();
+        for (Path file : files("src", ".java")) {
+            classes.add(file.getFileName().toString().replace(".java", ""));
+        }
+        List<String> named = Pattern.compile("`([A-Z]\\w+)`")
+                .matcher(recipes)
+                .results()
+                .map(name -> name.group(1))
+                .toList();
+        assertThat(named).hasSizeGreaterThan(20);
+        assertThat(classes).containsAll(named);
+    }
+
     private static int check(Path file, String text, List<String> broken) throws IOException {
         int citations = 0;
         Matcher matcher = CITATION.matcher(text);
