@@ -29,6 +29,9 @@ public final class PathTables {
     private static final int LENGTH_BITS = 11;
     private static final int LENGTH_MASK = (1 << LENGTH_BITS) - 1;
 
+    private static final int STEPS_BITS = 12;
+    private static final int STEPS_MASK = (1 << STEPS_BITS) - 1;
+
     /** More than any length of a path; a length together with it still has its bit. */
     private static final int OWN_JUNCTION = 1 << 14;
 
@@ -54,7 +57,11 @@ public final class PathTables {
     /** Length of the undirected path between junctions j and k, by their numbers, at index junctions j + k. */
     private final char[] undirected;
 
-    /** Number of the junction at each end of node v's corridor, and in the lower half the steps to it, from index 2 v on. */
+    /**
+     * Number of the junction at each end of node v's corridor, in the lower {@value #STEPS_BITS} bits the steps to it, and
+     * between them a bit for the direction in which it is; from index 2 v on. The direction is left out where paths may enter
+     * other neighbours than that.
+     */
     private final int[] legs;
 
     public PathTables(MazeTables maze, Routes routes) {
@@ -94,6 +101,7 @@ public final class PathTables {
         legs = findLegs();
         rows = new char[count * nodes];
         fillRows();
+        nameNeighbours();
     }
 
     // ---- Lengths ----
@@ -115,13 +123,27 @@ public final class PathTables {
 
     /** Length of the path from a row's junction to a target. */
     public int rowLength(int row, int target) {
-        int first = legs[2 * target];
-        int second = legs[2 * target + 1];
-        int byFirst = toJunctions[row * graph.junctionCount() + (first >> 16)] + (first & 0xFFFF);
-        int bySecond = toJunctions[row * graph.junctionCount() + (second >> 16)] + (second & 0xFFFF);
+        int byFirst = lengthBy(legs[2 * target], row);
+        int bySecond = lengthBy(legs[2 * target + 1], row);
         return ((byFirst | bySecond) & OWN_JUNCTION) == 0
                 ? Math.min(byFirst, bySecond)
                 : rows[row * nodes + target] & LENGTH_MASK;
+    }
+
+    private int lengthBy(int leg, int row) {
+        return toJunctions[row * graph.junctionCount() + (leg >> 16)] + (leg & STEPS_MASK);
+    }
+
+    /** A row's entry for a target: length and neighbours, in the form of {@link #rows}. */
+    private int entry(int row, int target) {
+        int first = legs[2 * target];
+        int byFirst = lengthBy(first, row);
+        int bySecond = lengthBy(legs[2 * target + 1], row);
+        int leg = byFirst <= bySecond ? first : legs[2 * target + 1];
+        int neighbour = leg >> STEPS_BITS & 0xF;
+        return neighbour == 0 || ((byFirst | bySecond) & OWN_JUNCTION) != 0
+                ? rows[row * nodes + target]
+                : Math.min(byFirst, bySecond) | neighbour << LENGTH_BITS;
     }
 
     /** Length of the simulator's undirected path, where neither end is the lair. */
@@ -137,10 +159,10 @@ public final class PathTables {
             // A junction at the end of the corridor is reached along it, by the first direction that leads there.
             int number = graph.junctionNumber(to);
             if (first >> 16 == number) {
-                return first & 0xFFFF;
+                return first & STEPS_MASK;
             }
             if (second >> 16 == number) {
-                return second & 0xFFFF;
+                return second & STEPS_MASK;
             }
         }
         int firstTo = legs[2 * to];
@@ -151,7 +173,9 @@ public final class PathTables {
     }
 
     private int lengthByLegs(int leg, int other) {
-        return (leg & 0xFFFF) + undirected[(leg >> 16) * graph.junctionCount() + (other >> 16)] + (other & 0xFFFF);
+        return (leg & STEPS_MASK)
+                + undirected[(leg >> 16) * graph.junctionCount() + (other >> 16)]
+                + (other & STEPS_MASK);
     }
 
     private int[] findLegs() {
@@ -172,6 +196,23 @@ public final class PathTables {
         return found;
     }
 
+    /** Puts directions into the legs of those nodes for which {@link #entry} then says the same as the rows. */
+    private void nameNeighbours() {
+        for (int v = 0; v < graph.lair(); v++) {
+            if (!graph.isJunction(v) && !besideJunction[v]) {
+                int open = graph.openDirections(v);
+                legs[2 * v] |= Integer.lowestOneBit(open) << STEPS_BITS;
+                legs[2 * v + 1] |= Integer.highestOneBit(open) << STEPS_BITS;
+                for (int row = 0; row < routes.rowCount(); row++) {
+                    if (entry(row, v) != rows[row * nodes + v]) {
+                        legs[2 * v] &= ~(0xF << STEPS_BITS);
+                        legs[2 * v + 1] &= ~(0xF << STEPS_BITS);
+                    }
+                }
+            }
+        }
+    }
+
     // ---- What lies on a path ----
 
     /**
@@ -188,7 +229,7 @@ public final class PathTables {
                     : ahead | neighbourBit(target, routes.corridorNode(route, ahead - 1)) << LENGTH_BITS;
         }
         int steps = Routes.steps(route);
-        int entry = rows[Routes.row(route) * nodes + target];
+        int entry = entry(Routes.row(route), target);
         int junction = routes.junction(route);
         if (target == junction) {
             return steps < 2
