@@ -7,6 +7,7 @@ import static pacman.game.GameState.NO_MOVE;
 import static pacman.game.GameState.POSE;
 
 import pacman.game.GameRules.Conventions;
+import pacman.maze.MazeGraph;
 import pacman.maze.MazePoses;
 
 /**
@@ -155,7 +156,7 @@ final class GameStep {
             int pose = ghosts[POSE + ghost];
             int move = MazePoses.move(pose);
             if (ghosts[LAIR + ghost] == 0 && move != NO_MOVE) {
-                ghosts[POSE + ghost] = state.poses.onward(MazePoses.turned(pose, move ^ 2));
+                ghosts[POSE + ghost] = state.poses.onward(MazePoses.turned(pose, MazeGraph.opposite(move)));
                 reversed = true;
             }
         }
@@ -196,7 +197,7 @@ final class GameStep {
     /** As asked if that is possible without turning back, else straight on, else at random. */
     private static int moveGhost(GameState state, int pose, int request) {
         int last = MazePoses.move(pose);
-        int back = last == NO_MOVE ? NO_MOVE : last ^ 2;
+        int back = last == NO_MOVE ? NO_MOVE : MazeGraph.opposite(last);
         int asked = request == back ? -1 : state.poses.onward(MazePoses.turned(pose, request));
         if (asked >= 0) {
             return asked;

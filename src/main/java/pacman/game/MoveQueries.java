@@ -120,7 +120,7 @@ final class MoveQueries {
         if (lastMove == GameState.NO_MOVE) {
             return -1;
         }
-        int back = lastMove ^ 2;
+        int back = MazeGraph.opposite(lastMove);
         if (graph.neighbour(node, back) < 0) {
             throw new NullPointerException("nothing comes to node " + node + " by moving " + MOVES[lastMove]
                     + ": no neighbour on the other side");

@@ -32,7 +32,7 @@ final class NodeMoves {
         int[] next = new int[4];
         for (int node = 0; node < graph.nodeCount(); node++) {
             for (int lastMove = 0; lastMove <= 4; lastMove++) {
-                int back = lastMove < 4 ? lastMove ^ 2 : -1;
+                int back = lastMove < 4 ? MazeGraph.opposite(lastMove) : -1;
                 if (back >= 0 && graph.neighbour(node, back) < 0) {
                     continue;
                 }

@@ -118,6 +118,41 @@ public final class Corridors {
         return nodes[corridor[start]].length == 1 ? (leg & 1) == 1 : position[start] > 0;
     }
 
+    /** Number of corridors. */
+    int count() {
+        return nodes.length;
+    }
+
+    /** Number of nodes of a corridor, its junctions left out. */
+    int size(int number) {
+        return nodes[number].length;
+    }
+
+    /** The node at a position of a corridor, from 0. */
+    int node(int number, int at) {
+        return nodes[number][at];
+    }
+
+    /** Number of a node's corridor; -1 for junctions and the lair. */
+    int corridor(int node) {
+        return corridor[node];
+    }
+
+    /** Position of a node in its corridor. */
+    int position(int node) {
+        return position[node];
+    }
+
+    /** The leg of a node between junctions that leaves it in an open direction. */
+    int legTowards(int node, int direction) {
+        return firstMove(node, 0) == direction ? 0 : 1;
+    }
+
+    /** Whether a leg leads towards higher positions in its corridor. */
+    boolean isAscending(int node, int leg) {
+        return ascending[2 * node + leg];
+    }
+
     /** Number of legs: 0 in the lair, 1 at a junction, 2 elsewhere. */
     public int legCount(int node) {
         int degree = graph.degree(node);

@@ -16,6 +16,9 @@ public final class MazeGraph {
     /** Columns of the neighbour table: four directions and no move, so that looking up a move needs no test. */
     public static final int MOVES = 5;
 
+    /** No node, no corridor, no junction. */
+    public static final int NONE = -1;
+
     private static final int UP_OR_DOWN = 0b0101;
     private static final int[] STEP_X = {0, 1, 0, -1};
     private static final int[] STEP_Y = {-1, 0, 1, 0};
@@ -233,9 +236,14 @@ public final class MazeGraph {
         }
     }
 
+    /** The direction that leads back; not for 4, no move. */
+    public static int opposite(int direction) {
+        return direction ^ 2;
+    }
+
     /** The first direction, in order, that is not the way back. */
     int onlyWayOn(int node, int arrival) {
-        int back = arrival ^ 2;
+        int back = opposite(arrival);
         for (int direction = 0; direction < 4; direction++) {
             if (direction != back && neighbours[MOVES * node + direction] >= 0) {
                 return direction;

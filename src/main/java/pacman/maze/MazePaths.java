@@ -142,7 +142,7 @@ public final class MazePaths {
     }
 
     private static boolean isBack(int move, int arrival) {
-        return arrival < NO_MOVE && (arrival ^ 2) == move;
+        return arrival < NO_MOVE && MazeGraph.opposite(arrival) == move;
     }
 
     public MazeGraph graph() {
@@ -222,17 +222,29 @@ public final class MazePaths {
             return EMPTY;
         }
         int[] path = new int[directedLength(from, to, lastMove)];
+        writeDirected(from, to, lastMove, path, 0);
+        return path;
+    }
+
+    /**
+     * Writes that path to {@code path} from {@code start} on.
+     *
+     * @return the place after it
+     */
+    int writeDirected(int from, int to, int lastMove, int[] path, int start) {
+        if (from == to || from == graph.lair()) {
+            return start;
+        }
         int junction = graph.junctionNumber(from);
         int arrival = lastMove;
-        int next = 0;
+        int next = start;
         if (junction < 0) {
             int leg = directedLeg(from, lastMove);
             int along = corridors.lengthTo(from, leg, to);
             if (along >= 0) {
-                corridors.write(from, leg, along, path, 0);
-                return path;
+                return corridors.write(from, leg, along, path, start);
             }
-            next = corridors.write(from, leg, corridors.length(from, leg), path, 0);
+            next = corridors.write(from, leg, corridors.length(from, leg), path, start);
             junction = graph.junctionNumber(corridors.junction(from, leg));
             arrival = corridors.lastMove(from, leg);
         }
@@ -242,8 +254,7 @@ public final class MazePaths {
         if (move >= 0) {
             next = writeJunctionPath(junction, move, graph.junctionNumber(corridors.junction(to, leg)), path, next);
         }
-        corridors.writeBack(to, leg, path, next);
-        return path;
+        return corridors.writeBack(to, leg, path, next);
     }
 
     /**

@@ -94,7 +94,7 @@ public final class NonReversingSearch {
             }
             for (int direction = 0; direction < 4; direction++) {
                 int next = neighbours[MazeGraph.MOVES * node + direction];
-                if (next < 0 || entered < 4 && direction == (entered ^ 2)) {
+                if (next < 0 || entered < 4 && direction == MazeGraph.opposite(entered)) {
                     continue;
                 }
                 int state = MazeGraph.MOVES * next + direction;
@@ -123,7 +123,7 @@ public final class NonReversingSearch {
 
     private void expand(int node, int target, Estimate distance) {
         int cost = travelled[node] + 1;
-        int back = arrival[node] < 4 ? arrival[node] ^ 2 : -1;
+        int back = arrival[node] < 4 ? MazeGraph.opposite(arrival[node]) : -1;
         for (int direction = 0; direction < 4; direction++) {
             int next = neighbours[MazeGraph.MOVES * node + direction];
             if (next < 0 || direction == back) {

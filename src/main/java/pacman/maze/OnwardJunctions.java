@@ -131,7 +131,7 @@ public final class OnwardJunctions {
                 onPaths[index(row, routes.place(path[i]))] |= (byte) (1 << lane);
             }
         } else {
-            targets[index] = CorridorPositions.NONE;
+            targets[index] = MazeGraph.NONE;
             return;
         }
         onPaths[index(row, routes.place(targets[index]))] |= (byte) (0x10 << lane);
@@ -140,7 +140,7 @@ public final class OnwardJunctions {
     private void fillLane(MazeTables maze, int row, int lane, int[] path) {
         int index = 4 * row + lane;
         int target = targets[index];
-        boolean exists = target != CorridorPositions.NONE;
+        boolean exists = target != MazeGraph.NONE;
         int shift = LANE_BITS * lane;
         lengths[row] |= (long) (FLAG + steps[index]) << shift;
         int fromLair = exists ? maze.distances().between(graph.ghostStart(), target) : NEVER;
@@ -188,7 +188,7 @@ public final class OnwardJunctions {
     }
 
     private int ownLane(int row) {
-        return CorridorPositions.opposite(routes.arrivalOfRow(row));
+        return MazeGraph.opposite(routes.arrivalOfRow(row));
     }
 
     /** Moves, as bits, that lead on from the next junction in a direction. */

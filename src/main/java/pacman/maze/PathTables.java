@@ -1,8 +1,5 @@
 package pacman.maze;
 
-import static pacman.maze.CorridorPositions.NONE;
-import static pacman.maze.CorridorPositions.opposite;
-
 import java.util.Arrays;
 
 /**
@@ -36,6 +33,7 @@ public final class PathTables {
     private static final int OWN_JUNCTION = 1 << 14;
 
     private final MazeGraph graph;
+    private final MazePaths simulated;
     private final Routes routes;
     private final int nodes;
 
@@ -51,9 +49,6 @@ public final class PathTables {
      */
     private final char[] toJunctions;
 
-    /** Path from a row's junction to each other junction, by junction number. */
-    private final int[][][] junctionPaths;
-
     /** Length of the undirected path between junctions j and k, by their numbers, at index junctions j + k. */
     private final char[] undirected;
 
@@ -64,44 +59,64 @@ public final class PathTables {
      */
     private final int[] legs;
 
+    /** The paths of a maze. */
     public PathTables(MazeTables maze, Routes routes) {
         this.routes = routes;
         graph = maze.graph();
+        simulated = maze.paths();
         nodes = graph.nodeCount();
-        int junctions = graph.junctionCount();
-        int count = routes.rowCount();
         besideJunction = new boolean[nodes];
-        for (int j = 0; j < junctions; j++) {
+        for (int j = 0; j < graph.junctionCount(); j++) {
             for (int d = 0; d < 4; d++) {
                 if (graph.isOpen(graph.junctionNode(j), d)) {
                     besideJunction[graph.neighbour(graph.junctionNode(j), d)] = true;
                 }
             }
         }
-        junctionPaths = new int[count][junctions][];
+        legs = findLegs();
+        rows = new char[routes.rowCount() * nodes];
+        fillRows();
+        int junctions = graph.junctionCount();
         undirected = new char[junctions * junctions];
-        toJunctions = new char[count * junctions];
-        for (int row = 0; row < count; row++) {
+        toJunctions = new char[routes.rowCount() * junctions];
+        for (int row = 0; row < routes.rowCount(); row++) {
+            int own = graph.junctionNumber(routes.junctionOfRow(row));
             for (int k = 0; k < junctions; k++) {
-                junctionPaths[row][k] = routes.junctionOfRow(row) == graph.junctionNode(k)
-                        ? new int[0]
-                        : maze.paths()
-                                .directedPath(
-                                        routes.junctionOfRow(row), graph.junctionNode(k), routes.arrivalOfRow(row));
-                toJunctions[row * junctions + k] = (char)
-                        (routes.junctionOfRow(row) == graph.junctionNode(k)
-                                ? OWN_JUNCTION
-                                : junctionPaths[row][k].length);
+                char length = (char) (rows[row * nodes + graph.junctionNode(k)] & LENGTH_MASK);
+                toJunctions[row * junctions + k] = k == own ? OWN_JUNCTION : length;
                 if (routes.arrivalOfRow(row) == Routes.NEUTRAL) {
-                    undirected[graph.junctionNumber(routes.junctionOfRow(row)) * junctions + k] =
-                            (char) junctionPaths[row][k].length;
+                    undirected[own * junctions + k] = length;
                 }
             }
         }
-        legs = findLegs();
-        rows = new char[count * nodes];
-        fillRows();
         nameNeighbours();
+    }
+
+    private void fillRows() {
+        int[] path = new int[LONGEST * nodes];
+        int[] stamps = new int[nodes];
+        int stamp = 0;
+        for (int row = 0; row < routes.rowCount(); row++) {
+            for (int target = 0; target < graph.lair(); target++) {
+                int length = rowPath(row, target, path, 0);
+                if (length > LENGTH_MASK) {
+                    throw new IllegalArgumentException(
+                            "maze " + graph.name() + ": a path of " + length + " steps is longer than " + LENGTH_MASK);
+                }
+                stamp++;
+                for (int i = 0; i < length; i++) {
+                    stamps[path[i]] = stamp;
+                }
+                int entered = 0;
+                for (int d = 0; d < 4; d++) {
+                    int neighbour = graph.neighbour(target, d);
+                    if (neighbour != MazeGraph.NONE && stamps[neighbour] == stamp) {
+                        entered |= 1 << d;
+                    }
+                }
+                rows[row * nodes + target] = (char) (length | entered << LENGTH_BITS);
+            }
+        }
     }
 
     // ---- Lengths ----
@@ -288,110 +303,6 @@ public final class PathTables {
      * @return nodes written in all
      */
     public int rowPath(int row, int target, int[] path, int count) {
-        if (target == routes.junctionOfRow(row)) {
-            return count;
-        }
-        int last = lastLeg(row, target);
-        int end = count;
-        if (last == NONE || routes.junction(routes.leaving(target, last)) != routes.junctionOfRow(row)) {
-            int[] between = junctionPaths[row][
-                    graph.junctionNumber(last == NONE ? target : routes.junction(routes.leaving(target, last)))];
-            System.arraycopy(between, 0, path, count, between.length);
-            end += between.length;
-        }
-        if (last != NONE) {
-            long leg = routes.leaving(target, last);
-            for (int step = Routes.steps(leg) - 1; step >= 0; step--) {
-                path[end++] = step == 0 ? target : routes.corridorNode(leg, step);
-            }
-        }
-        return end;
-    }
-
-    // ---- Filling the rows ----
-
-    private void fillRows() {
-        long[] onPath = new long[(nodes + 63) / 64];
-        for (int row = 0; row < routes.rowCount(); row++) {
-            for (int k = 0; k < graph.junctionCount(); k++) {
-                int[] between = junctionPaths[row][k];
-                Arrays.fill(onPath, 0);
-                for (int node : between) {
-                    onPath[node >> 6] |= 1L << node;
-                }
-                if (graph.junctionNode(k) != routes.junctionOfRow(row)) {
-                    fillEntry(row, graph.junctionNode(k), NONE, between.length, onPath);
-                }
-                fillCorridorsAt(row, graph.junctionNode(k), between.length, onPath);
-            }
-        }
-    }
-
-    /** The entries of those targets in the corridors at a junction that are reached through this junction. */
-    private void fillCorridorsAt(int row, int junction, int length, long[] onPath) {
-        for (int d = 0; d < 4; d++) {
-            int node = graph.neighbour(junction, d);
-            int move = d;
-            while (node != NONE && !graph.isJunction(node)) {
-                int leg = opposite(move);
-                if (lastLeg(row, node) == leg) {
-                    fillEntry(row, node, leg, length + Routes.steps(routes.leaving(node, leg)), onPath);
-                }
-                move = CorridorPositions.onward(graph, node, move);
-                node = graph.neighbour(node, move);
-            }
-        }
-    }
-
-    private void fillEntry(int row, int target, int leg, int length, long[] onPath) {
-        if (length > LENGTH_MASK) {
-            throw new IllegalArgumentException("maze: a path of " + length + " steps is longer than " + LENGTH_MASK);
-        }
-        int passed = 0;
-        for (int d = 0; d < 4; d++) {
-            int neighbour = graph.neighbour(target, d);
-            boolean onLastLeg = d == leg && Routes.steps(routes.leaving(target, leg)) > 1;
-            if (neighbour != NONE && (onLastLeg || (onPath[neighbour >> 6] >>> neighbour & 1) != 0)) {
-                passed |= 1 << d;
-            }
-        }
-        rows[row * nodes + target] = (char) (length | passed << LENGTH_BITS);
-    }
-
-    /**
-     * The direction in which a target's corridor is left backwards along the path from a row's junction, or {@link
-     * CorridorPositions#NONE} if the target is a junction. The simulator's rule: a corridor that starts at the row's junction itself,
-     * if it may be entered, replaces whatever was found before, longer or not.
-     */
-    private int lastLeg(int row, int target) {
-        if (graph.isJunction(target)) {
-            return NONE;
-        }
-        int chosen = NONE;
-        int shortest = Integer.MAX_VALUE;
-        for (int d = 0; d < 4; d++) {
-            if (graph.isOpen(target, d)) {
-                long leg = routes.leaving(target, d);
-                if (routes.junction(leg) == routes.junctionOfRow(row)) {
-                    int entry = opposite(arrivalOf(leg));
-                    if (routes.arrivalOfRow(row) == Routes.NEUTRAL || entry != opposite(routes.arrivalOfRow(row))) {
-                        shortest = Routes.steps(leg);
-                        chosen = d;
-                    }
-                } else {
-                    int length =
-                            junctionPaths[row][graph.junctionNumber(routes.junction(leg))].length + Routes.steps(leg);
-                    if (length < shortest) {
-                        shortest = length;
-                        chosen = d;
-                    }
-                }
-            }
-        }
-        return chosen;
-    }
-
-    private int arrivalOf(long route) {
-        return routes.arrivalOfRow(Routes.row(route));
+        return simulated.writeDirected(routes.junctionOfRow(row), target, routes.arrivalOfRow(row), path, count);
     }
 }

@@ -39,7 +39,7 @@ public final class PillTables {
     private PillTables(MazeGraph graph, int[] pillNodes, Routes routes, PathTables paths) {
         this.pillNodes = pillNodes;
         numbers = new short[graph.nodeCount()];
-        Arrays.fill(numbers, (short) CorridorPositions.NONE);
+        Arrays.fill(numbers, (short) MazeGraph.NONE);
         for (int pill = 0; pill < pillNodes.length; pill++) {
             numbers[pillNodes[pill]] = (short) pill;
         }
@@ -48,7 +48,7 @@ public final class PillTables {
         for (int v = 0; v < graph.nodeCount(); v++) {
             for (int d = 0; d < 4; d++) {
                 aheadFrom[4 * v + d] = entries.size();
-                if (graph.neighbour(v, d) != CorridorPositions.NONE) {
+                if (graph.neighbour(v, d) != MazeGraph.NONE) {
                     addPillsAhead(graph, v, d, entries);
                 }
             }
@@ -68,13 +68,13 @@ public final class PillTables {
         int move = direction;
         int node = graph.neighbour(from, direction);
         for (int steps = 1; ; steps++) {
-            if (numbers[node] != CorridorPositions.NONE) {
+            if (numbers[node] != MazeGraph.NONE) {
                 entries.add(steps << 16 | numbers[node]);
             }
             if (graph.isJunction(node)) {
                 return;
             }
-            move = CorridorPositions.onward(graph, node, move);
+            move = graph.onlyWayOn(node, move);
             node = graph.neighbour(node, move);
         }
     }

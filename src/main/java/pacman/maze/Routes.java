@@ -1,8 +1,5 @@
 package pacman.maze;
 
-import static pacman.maze.CorridorPositions.NONE;
-import static pacman.maze.CorridorPositions.opposite;
-
 /**
  * The precomputed continuations of paths that never turn back: corridor, length, and what follows at the end junction.
  *
@@ -30,7 +27,7 @@ public final class Routes {
     private static final int NO_CORRIDOR = FIELD_MASK;
 
     private final MazeGraph graph;
-    private final CorridorPositions corridors;
+    private final Corridors corridors;
     private final int nodes;
 
     /** Segment of each node in the upper half: its corridor, or a number of its own for a junction; its position in the lower. */
@@ -50,9 +47,10 @@ public final class Routes {
 
     private final int[] rowArrival;
 
-    public Routes(MazeGraph graph) {
-        this.graph = graph;
-        corridors = new CorridorPositions(graph);
+    /** The routes of a maze. */
+    public Routes(MazeTables maze) {
+        graph = maze.graph();
+        corridors = maze.paths().corridors();
         nodes = graph.nodeCount();
         int junctions = graph.junctionCount();
         rowOf = new int[5 * junctions];
@@ -61,7 +59,7 @@ public final class Routes {
             int neutral = count++;
             for (int m = 0; m < 4; m++) {
                 // A move by which the junction cannot have been entered forbids nothing, like no move.
-                rowOf[5 * j + m] = graph.isOpen(graph.junctionNode(j), opposite(m)) ? count++ : neutral;
+                rowOf[5 * j + m] = graph.isOpen(graph.junctionNode(j), MazeGraph.opposite(m)) ? count++ : neutral;
             }
             rowOf[5 * j + NEUTRAL] = neutral;
         }
@@ -79,9 +77,9 @@ public final class Routes {
         places = new int[nodes];
         for (int v = 0; v < nodes; v++) {
             // Junctions and, as the last one, the lair are segments of their own.
-            places[v] = corridors.corridorOf(v) == NONE
+            places[v] = corridors.corridor(v) == MazeGraph.NONE
                     ? corridors.count() + (v == graph.lair() ? junctions : graph.junctionNumber(v)) << 16
-                    : corridors.corridorOf(v) << 16 | corridors.positionOf(v);
+                    : corridors.corridor(v) << 16 | corridors.position(v);
         }
         leaving = routesOut();
         continuing = routesOn();
@@ -100,40 +98,24 @@ public final class Routes {
     }
 
     private long routeOut(int from, int direction) {
-        int first = graph.neighbour(from, direction);
-        int corridor = NO_CORRIDOR;
-        int start = 0;
-        boolean backward = false;
         if (!graph.isJunction(from)) {
-            corridor = corridors.corridorOf(from);
-            start = corridors.positionOf(from);
-            backward = leadsBackward(from, direction);
-        } else if (!graph.isJunction(first)) {
-            corridor = corridors.corridorOf(first);
-            backward = leadsBackward(first, CorridorPositions.onward(graph, first, direction));
-            start = backward ? corridors.length(corridor) : -1;
+            return routeAlong(from, corridors.legTowards(from, direction), 0);
         }
-        int move = direction;
-        int node = first;
-        int steps = 1;
-        while (!graph.isJunction(node)) {
-            move = CorridorPositions.onward(graph, node, move);
-            node = graph.neighbour(node, move);
-            steps++;
-        }
-        return pack(rowOf[5 * graph.junctionNumber(node) + move], steps, corridor, start, backward);
+        int first = graph.neighbour(from, direction);
+        return graph.isJunction(first)
+                ? pack(rowOf[5 * graph.junctionNumber(first) + direction], 1, NO_CORRIDOR, 0, false)
+                : routeAlong(first, corridors.legTowards(first, graph.onlyWayOn(first, direction)), 1);
     }
 
-    /** Whether a direction leads down in the positions of a node's corridor. */
-    private boolean leadsBackward(int node, int direction) {
-        int corridor = corridors.corridorOf(node);
-        int position = corridors.positionOf(node);
-        if (corridors.length(corridor) == 1) {
-            // Nothing in the corridor says which route positions run: the later direction leads up.
-            return 1 << direction + 1 < graph.openDirections(node);
-        }
-        int next = graph.neighbour(node, direction);
-        return graph.isJunction(next) ? position == 0 : corridors.positionOf(next) < position;
+    /** The route along a leg that starts so many steps before the leg's node. */
+    private long routeAlong(int node, int leg, int before) {
+        boolean ascending = corridors.isAscending(node, leg);
+        return pack(
+                rowOf[5 * graph.junctionNumber(corridors.junction(node, leg)) + corridors.lastMove(node, leg)],
+                before + corridors.length(node, leg),
+                corridors.corridor(node),
+                corridors.position(node) + (ascending ? -before : before),
+                !ascending);
     }
 
     private long[] routesOn() {
@@ -142,7 +124,7 @@ public final class Routes {
             for (int m = 0; m <= NEUTRAL; m++) {
                 if (graph.isJunction(v)) {
                     routes[5 * v + m] = pack(rowOf[5 * graph.junctionNumber(v) + m], 0, NO_CORRIDOR, 0, false);
-                } else if (corridors.corridorOf(v) != NONE) {
+                } else if (corridors.corridor(v) != MazeGraph.NONE) {
                     routes[5 * v + m] = routeOn(v, m);
                 }
             }
@@ -154,7 +136,7 @@ public final class Routes {
     private long routeOn(int node, int lastMove) {
         long best = 0;
         for (int d = 0; d < 4; d++) {
-            if (graph.isOpen(node, d) && (lastMove == NEUTRAL || d != opposite(lastMove))) {
+            if (graph.isOpen(node, d) && (lastMove == NEUTRAL || d != MazeGraph.opposite(lastMove))) {
                 long route = leaving[4 * node + d];
                 if (best == 0 || steps(route) < steps(best)) {
                     best = route;

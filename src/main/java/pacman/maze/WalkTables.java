@@ -56,7 +56,7 @@ public final class WalkTables {
         Explorer explorer = new Explorer(graph, depth, graph.pillWords());
         Map<List<LongBuffer>, Integer> numbers = new LinkedHashMap<>();
         for (int index = 0; index < lists.length; index++) {
-            if (graph.neighbour(index >> 2, index & 3) != CorridorPositions.NONE) {
+            if (graph.neighbour(index >> 2, index & 3) != MazeGraph.NONE) {
                 explorer.explore(index >> 2, index & 3);
                 junctions[index] = (byte) explorer.mostJunctions;
                 explorer.walks.sort(Comparator.comparingInt(WalkTables::size).reversed());
@@ -181,14 +181,14 @@ public final class WalkTables {
             }
             boolean isNew = visits[node]++ == 0;
             long[] pills = pillsBefore;
-            if (isNew && graph.pillNumber(node) != CorridorPositions.NONE) {
+            if (isNew && graph.pillNumber(node) != MazeGraph.NONE) {
                 pills = pillsBefore.clone();
                 pills[graph.pillNumber(node) >> 6] |= 1L << graph.pillNumber(node);
             }
             int counted = isNew && graph.isJunction(node) ? 1 : 0;
             junctionsNow += counted;
             for (int d = 0; d < 4; d++) {
-                if (d != CorridorPositions.opposite(move) && graph.neighbour(node, d) != CorridorPositions.NONE) {
+                if (d != MazeGraph.opposite(move) && graph.neighbour(node, d) != MazeGraph.NONE) {
                     step(graph.neighbour(node, d), d, stepsLeft - 1, pills);
                 }
             }

@@ -46,7 +46,7 @@ final class SensorTables {
     private SensorTables(MazeTables maze, int lookAhead, double closeness) {
         graph = maze.graph();
         distances = maze.distances();
-        routes = new Routes(graph);
+        routes = new Routes(maze);
         paths = new PathTables(maze, routes);
         pills = PillTables.ofPills(graph, routes, paths);
         powerPills = PillTables.ofPowerPills(graph, routes, paths);
