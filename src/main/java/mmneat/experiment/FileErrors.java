@@ -6,12 +6,12 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
-/** Says in words what went wrong with a file, where an exception's own message is just the file's name. */
+/** Turns file exceptions into readable messages; the message of many is only the file's name. */
 public final class FileErrors {
 
     private FileErrors() {}
 
-    /** The reason alone, to be put behind the name of the file. */
+    /** Returns the reason, to follow the name of the file. */
     public static String reason(IOException e) {
         if (e instanceof NoSuchFileException) {
             return "there is no such file";
@@ -26,13 +26,13 @@ public final class FileErrors {
             return failure.getReason();
         }
         if (e.getClass() == IOException.class && e.getMessage() != null) {
-            // The operating system's own words, such as "No space left on device".
+            // The operating system's message, such as "No space left on device".
             return e.getMessage();
         }
         return e.getClass().getSimpleName() + ": " + e.getMessage();
     }
 
-    /** The file, where it is known, and the reason. */
+    /** Returns the file, if known, and the reason. */
     public static String sentence(IOException e) {
         return e instanceof FileSystemException failure && failure.getFile() != null
                 ? failure.getFile() + ": " + reason(e)

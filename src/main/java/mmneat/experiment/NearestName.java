@@ -11,9 +11,9 @@ public final class NearestName {
     private NearestName() {}
 
     /**
-     * The known name with the smallest edit distance to {@code typed}, upper and lower case being the same.
+     * Returns the known name with the smallest edit distance to {@code typed}, ignoring case.
      *
-     * @return empty if no name is near, that is, within a third of the letters or two of them (one in short names)
+     * @return empty if no name is near: within a third of the letters, or two letters (one in short names)
      */
     public static Optional<String> to(String typed, Collection<String> known) {
         return known.stream()
@@ -22,12 +22,12 @@ public final class NearestName {
                         .thenComparing(Comparator.naturalOrder()));
     }
 
-    /** " (did you mean 'NAME'?)", or nothing if no name is near: to be appended to an error message. */
+    /** Returns " (did you mean 'NAME'?)" to append to an error message; the empty text if no name is near. */
     public static String suggestion(String typed, Collection<String> known) {
         return to(typed, known).map(name -> " (did you mean '" + name + "'?)").orElse("");
     }
 
-    /** Two letters swapped are a distance of two, the commonest slip. Names of one letter are near to none. */
+    /** Swapping two letters, the most common slip, is a distance of two. No name is near to a name of one letter. */
     private static int tolerance(int length) {
         return length <= 1 ? 0 : length <= 3 ? 1 : Math.max(2, length / 3);
     }

@@ -2,13 +2,16 @@ package mmneat.experiment;
 
 import java.util.stream.IntStream;
 
-/** The check that a text is one printable line: it becomes a file's name, a line of a job file or a value in a file. */
+/**
+ * The check that a text is one printable line, before it is used as a file name, a line of a job file or a value in a
+ * file.
+ */
 public final class PlainText {
 
     private PlainText() {}
 
     /**
-     * Makes sure that a text has no control characters and no halves of characters.
+     * Checks that a text has no control characters and no unpaired surrogates.
      *
      * @param what what the text is, for the message
      * @throws UserError naming the first such character; the message shows the text without them
@@ -24,12 +27,12 @@ public final class PlainText {
                 });
     }
 
-    /** The text without the blanks and tabs before and behind it. */
+    /** Returns the text without leading and trailing blanks and tabs. */
     public static String trimmed(String text) {
         return text.replaceAll("^[ \t]+|[ \t]+$", "");
     }
 
-    /** The text on one line, with a question mark for each character that is neither plain nor a tab. */
+    /** Returns the text on one line, with a question mark for each character that is neither printable nor a tab. */
     public static String shown(String text) {
         StringBuilder shown = new StringBuilder(text);
         IntStream.range(0, text.length())
@@ -38,7 +41,7 @@ public final class PlainText {
         return shown.toString();
     }
 
-    /** Line and paragraph separators end lines in some readers. */
+    /** Some readers treat line and paragraph separators as line ends. */
     private static boolean isPlain(String text, int i) {
         char c = text.charAt(i);
         boolean isHalf = Character.isHighSurrogate(c)

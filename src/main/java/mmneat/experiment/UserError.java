@@ -1,10 +1,10 @@
 package mmneat.experiment;
 
 /**
- * A mistake of the user, told in one line: what is wrong, where, and what to do.
+ * An error of the user, reported in one line: what is wrong, where, and what to do.
  *
- * <p>The command line prints the message alone, without a stack trace, and exits with code 2. Anything else that reaches
- * it is a failure of ours: a stack trace and exit code 1.
+ * <p>The command line prints only the message, without a stack trace, and exits with code 2. Any other exception that
+ * reaches it is a bug of the program: it prints a stack trace and exits with code 1.
  */
 public final class UserError extends RuntimeException {
 

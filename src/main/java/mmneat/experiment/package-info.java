@@ -1,2 +1,2 @@
-/** Errors in what the user asked for, and the words in which they are reported. */
+/** Errors of the user and the texts that report them. */
 package mmneat.experiment;

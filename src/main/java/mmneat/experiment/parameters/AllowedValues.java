@@ -3,11 +3,11 @@ package mmneat.experiment.parameters;
 import java.util.List;
 
 /**
- * What a parameter's value may be: a range of numbers, a choice of words, or anything.
+ * The allowed values of a parameter: a range of numbers, a choice of words, or any value.
  *
  * @param minimum the smallest number; minus infinity if there is none
  * @param maximum the largest number; infinity if there is none
- * @param choices the words of which the value must be one; empty: no such list
+ * @param choices the allowed words; empty if every text is allowed
  */
 record AllowedValues(double minimum, double maximum, List<String> choices) {
 
@@ -34,7 +34,7 @@ record AllowedValues(double minimum, double maximum, List<String> choices) {
                 List.of());
     }
 
-    /** The choice that differs in nothing but upper and lower case, or the text itself. */
+    /** Returns the choice that equals the text except for case; the text itself if there is none. */
     String spelled(String text) {
         return choices.stream().filter(text::equalsIgnoreCase).findFirst().orElse(text);
     }
@@ -50,7 +50,7 @@ record AllowedValues(double minimum, double maximum, List<String> choices) {
         return true;
     }
 
-    /** What is allowed, to stand behind "must be". */
+    /** Returns a description of the allowed values that follows the words "must be". */
     String describe(ParameterType type) {
         if (!choices.isEmpty()) {
             return choices.size() == 1 ? choices.get(0) : "one of " + String.join(", ", choices);

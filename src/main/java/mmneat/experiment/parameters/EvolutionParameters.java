@@ -18,7 +18,10 @@ import mmneat.neat.variation.VariationSettings;
 import mmneat.nsga2.Crowding;
 import mmneat.nsga2.ParentSelection;
 
-/** The parameters that decide an evolution besides its task; named as the parameters, see the catalogue. */
+/**
+ * The parameters of an evolution except those of its task. Components have the names of the parameters, which the
+ * catalogue describes.
+ */
 public record EvolutionParameters(
         int randomSeed,
         int initialPopulationSeed,
@@ -53,9 +56,9 @@ public record EvolutionParameters(
         int disabledMode) {
 
     /**
-     * The settings that parameters mean for a task.
+     * Returns the settings of an evolution that parameters give for a task.
      *
-     * @throws UserError if the parameters do not go with the task
+     * @throws UserError if the parameters do not fit the task
      */
     public static EvolutionSettings settings(Parameters parameters, Task task) {
         return parameters
@@ -93,9 +96,9 @@ public record EvolutionParameters(
     }
 
     /**
-     * Makes sure that the parameters go together.
+     * Checks that the parameters are consistent.
      *
-     * @throws UserError naming those that do not
+     * @throws UserError naming those that are not
      */
     void requireConsistent() {
         if (multitaskModes > 1 && choosesModules()) {
@@ -114,7 +117,7 @@ public record EvolutionParameters(
         return startingModes > 1 || rates().module().canAddModules();
     }
 
-    /** The parameter because of which they do. */
+    /** Returns the parameter that causes this. */
     private String chooser() {
         if (startingModes > 1) {
             return "startingModes=" + startingModes;

@@ -36,7 +36,9 @@ import pacman.game.MazeRules;
 import pacman.game.PillRules;
 import pacman.maze.Mazes;
 
-/** The parameters of the Ms. Pac-Man task; named as the parameters, see the catalogue. */
+/**
+ * The parameters of the Ms. Pac-Man task. Components have the names of the parameters, which the catalogue describes.
+ */
 record GameParameters(
         int trials,
         boolean deterministic,
@@ -86,7 +88,7 @@ record GameParameters(
         double preferenceNeuronDecay,
         boolean weightedAverageModeAggregation) {
 
-    /** The one kind of sensors and outputs that is supported: networks are asked about each direction. */
+    /** The only supported kind of sensors and outputs: the network is activated once per direction. */
     private static final String MEDIATOR = "IICheckEachDirectionMediator";
 
     private static final double CLOSE_TO_POWER_PILL = 10;
@@ -102,7 +104,7 @@ record GameParameters(
             "StarterGhosts", StarterGhosts::new,
             "VeryRandomLegacy", VeryRandomLegacy::new);
 
-    /** The names of parameters that mean nothing to other tasks: of the game, and of how networks are asked in it. */
+    /** The names of parameters that only the game uses: rules of the game, sensors and outputs. */
     static List<String> ofTheGameAlone() {
         Set<String> shared = Set.of("multitaskModes", "jar");
         return Stream.concat(

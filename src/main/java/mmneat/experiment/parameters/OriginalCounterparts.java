@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What this program offers instead of words of the original that are refused: its post-evaluation parameters, experiment classes
- * and modes. Source: docs/specification/evolution.md, sections 4.1 and 6.1.
+ * This program's replacements for parameters, experiment classes and modes of the original that are refused. Source:
+ * docs/specification/evolution.md, sections 4.1 and 6.1.
  */
 final class OriginalCounterparts {
 
@@ -43,7 +43,7 @@ final class OriginalCounterparts {
         return counterparts;
     }
 
-    /** What to use instead of a parameter with a value that is refused; empty if there is nothing. */
+    /** Returns what to use instead of a parameter with a refused value; empty if there is nothing. */
     static Optional<String> ofParameter(String name, String value) {
         return name.equals("experiment") ? ofExperiment(value) : Optional.ofNullable(BY_PARAMETER.get(name));
     }
@@ -62,7 +62,7 @@ final class OriginalCounterparts {
         return Optional.empty();
     }
 
-    /** What to use instead of a mode, the original's first word; empty if the name is not a mode. */
+    /** Returns what to use instead of a mode, the first argument of the original; empty if the name is not a mode. */
     static Optional<String> ofMode(String mode, String value) {
         return Optional.ofNullable(
                 switch (mode) {

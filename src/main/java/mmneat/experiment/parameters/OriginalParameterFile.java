@@ -9,20 +9,20 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * The parameter file that the original saves with a run: every parameter that it has, defaults included, as {@code name:value}.
+ * The parameter file that the original saves with a run: all its parameters, including defaults, as {@code name:value}.
  *
- * <p>Later versions of the original have more parameters, and call some of them "module" instead of "mode". Their names are
- * mapped to those of the catalogue. A parameter that the catalogue does not have is left out.
+ * <p>Later versions of the original have more parameters, and use "module" instead of "mode" in some names. Their names
+ * are mapped to those of the catalogue. A parameter that the catalogue does not have is left out.
  *
  * @param values by the catalogue's names, flags as true or false
- * @param leftOut names of unknown parameters that are not switched off, in the order of the file
+ * @param leftOut names of unknown parameters with a value that may have an effect, in the order of the file
  */
 public record OriginalParameterFile(Map<String, String> values, List<String> leftOut) {
 
     /** A name, a colon and, without any escapes, the value. */
     private static final Pattern LINE = Pattern.compile("\\w+:.*");
 
-    /** Values of unknown parameters that switch nothing on. */
+    /** Values of unknown parameters that have no effect. */
     private static final Set<String> OFF = Set.of("", "false", "null", "0", "0.0", "-1", "-1.0");
 
     private static final int MOST_NAMES = 5;
@@ -34,7 +34,7 @@ public record OriginalParameterFile(Map<String, String> values, List<String> lef
                 && filled.stream().allMatch(line -> LINE.matcher(line).matches());
     }
 
-    /** Reads the lines of such a file; lines without a colon say nothing. */
+    /** Reads the lines of such a file; lines without a colon are ignored. */
     public static OriginalParameterFile of(List<String> lines, ParameterCatalogue catalogue) {
         Map<String, String> values = new LinkedHashMap<>();
         List<String> leftOut = new ArrayList<>();
@@ -54,17 +54,17 @@ public record OriginalParameterFile(Map<String, String> values, List<String> lef
         return new OriginalParameterFile(values, List.copyOf(leftOut));
     }
 
-    /** The name before the original renamed modes to modules. */
+    /** Returns the name that was used before the original renamed modes to modules. */
     private static String earlierName(String name) {
         return name.replace("Module", "Mode").replace("module", "mode");
     }
 
-    /** In the original, anything but true is false. */
+    /** In the original, every text except "true" is false. */
     private static String canonical(Parameter parameter, String value) {
         return parameter.type() == ParameterType.BOOLEAN ? Boolean.toString(value.equalsIgnoreCase("true")) : value;
     }
 
-    /** What to tell the user about parameters that were left out. */
+    /** Returns the message to the user about parameters that were left out. */
     Optional<String> remark(String file) {
         if (leftOut.isEmpty()) {
             return Optional.empty();

@@ -8,22 +8,22 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.experiment.UserError;
 
-/** The classes of the user's own that parameters name: on the class path, or in {@code jar=FILE}. */
+/** Loads the user's classes that parameters name, from the class path or from {@code jar=FILE}. */
 final class OwnClasses {
 
     private final ClassLoader loader;
     private final String jar;
 
     /**
-     * The classes of a place.
+     * Opens the jar or folder, if there is one.
      *
-     * @param jar a jar or a folder of classes, which go after those of the class path; empty: these alone
+     * @param jar a jar or a folder of classes, searched after the class path; empty: the class path only
      * @throws UserError if it cannot be read
      */
     OwnClasses(String jar) {
         this.jar = jar;
         ClassLoader ours = OwnClasses.class.getClassLoader();
-        // Stays open as long as the program runs: a class may load others at any time.
+        // It stays open while the program runs, because a class may load others at any time.
         loader = jar.isEmpty() ? ours : new URLClassLoader(new URL[] {url(jar)}, ours);
     }
 
@@ -40,16 +40,16 @@ final class OwnClasses {
     }
 
     /**
-     * The class of a name.
+     * Finds a class by its name.
      *
      * @param parameter the parameter that names it, for messages
-     * @param type what it has to be
+     * @param type the required type
      * @throws UserError if there is no such class
      */
     <T> Class<? extends T> find(String parameter, String className, Class<T> type) {
         String asked = parameter + "=" + className;
         try {
-            // Nothing in the class runs before it is known to be of the type.
+            // The class is not initialised before its type has been checked.
             return Class.forName(className, false, loader).asSubclass(type);
         } catch (ClassNotFoundException e) {
             throw new UserError(
@@ -64,7 +64,7 @@ final class OwnClasses {
         }
     }
 
-    /** An object of such a class, by its public constructor without arguments. */
+    /** Creates an object of such a class by its public constructor without arguments. */
     <T> T make(String parameter, String className, Class<T> type) {
         String asked = parameter + "=" + className;
         try {

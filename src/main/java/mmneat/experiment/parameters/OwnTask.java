@@ -11,24 +11,24 @@ import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 
 /**
- * A task of the user's own, in a class of another jar: {@code jar=FILE task=CLASS}.
+ * A user's task, in a class of another jar: {@code jar=FILE task=CLASS}.
  *
- * <p>The class implements {@link Task} and has a public constructor without arguments, or one with a
- * {@code Map<String, String>} that is given all parameters {@code task.NAME=VALUE} under their {@code NAME}.
+ * <p>The class implements {@link Task} and has a public constructor without arguments, or one with a {@code Map<String,
+ * String>} that receives all parameters {@code task.NAME=VALUE} by their {@code NAME}.
  */
 public final class OwnTask {
 
-    /** What the names of a task's own parameters begin with. */
+    /** The prefix of the parameters of a user's task. */
     public static final String PREFIX = "task.";
 
     private OwnTask() {}
 
     /**
-     * Makes tasks of the named class, each for one thread.
+     * Returns a factory of tasks of the named class, each for one thread.
      *
      * @param className full name of the class
      * @param jar a jar or a folder of classes; empty: the class is on the class path
-     * @throws UserError if there is no such task
+     * @throws UserError if there is no such class or it is not a valid task
      */
     static Supplier<Task> factory(String className, String jar, Map<String, String> parameters) {
         Class<? extends Task> type = new OwnClasses(jar).find("task", className, Task.class);
@@ -37,7 +37,7 @@ public final class OwnTask {
         return factory;
     }
 
-    /** Makes sure that there is something to evolve: networks with inputs and outputs, and something to select for. */
+    /** Checks that the task has inputs, outputs and objectives. */
     private static void requireShape(String task, Task made) {
         List<String> objectives = made.objectiveNames();
         if (objectives == null || objectives.isEmpty()) {
@@ -66,7 +66,7 @@ public final class OwnTask {
         }
     }
 
-    /** Names become parts of lines in logs, tables and scripts. */
+    /** Checks names, which become parts of lines in logs, tables and scripts. */
     private static void requireNames(String method, List<String> names) {
         if (names == null || names.stream().anyMatch(Objects::isNull)) {
             throw new UserError(method + ": must not be null or contain null");

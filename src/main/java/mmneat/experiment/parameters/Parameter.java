@@ -10,10 +10,10 @@ import mmneat.experiment.UserError;
 /**
  * One entry of the catalogue.
  *
- * @param name the name, for most the original's
- * @param type kind of the value
+ * @param name the name; for most parameters that of the original
+ * @param type type of the value
  * @param defaultValue the value if none is given, in canonical form
- * @param support what becomes of it here
+ * @param support whether this program supports it
  * @param allowed the values that it may have
  * @param group heading under which it is listed
  * @param meaning one sentence without its full stop
@@ -40,13 +40,13 @@ public record Parameter(
             "Evolution extras",
             "TUG");
 
-    /** What becomes of a parameter. */
+    /** Whether this program supports a parameter. */
     public enum Support {
-        /** It does what it says. */
+        /** The parameter has its described effect. */
         YES,
-        /** Any value is accepted and none has an effect. */
+        /** Any value is accepted, without effect. */
         IGNORED,
-        /** The original knows it, this program does not: only the default is accepted. */
+        /** The parameter of the original is not supported: only its default is accepted. */
         NO;
 
         static Support of(String name) {
@@ -88,22 +88,22 @@ public record Parameter(
         }
     }
 
-    /** Whether the parameter has to do with how a network plays, and not with its evolution alone. */
+    /** Whether the parameter influences how a network plays, and not only its evolution. */
     boolean decidesGames() {
         return name.equals("task") || !OF_EVOLUTION_ALONE.contains(group);
     }
 
-    /** The values that are allowed, in words. */
+    /** Returns a description of the allowed values. */
     public String allowedInWords() {
         return allowed.describe(type);
     }
 
-    /** The words of which a value must be one; empty if there is no such list. */
+    /** Returns the allowed words; empty if every text is allowed. */
     public List<String> choices() {
         return type == ParameterType.BOOLEAN ? List.of("false", "true") : allowed.choices();
     }
 
-    /** Whether the original has it too. */
+    /** Whether it is a parameter of the original. */
     public boolean isOfOriginal() {
         return !group.equals(EVERYDAY);
     }

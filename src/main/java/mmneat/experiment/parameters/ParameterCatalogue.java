@@ -17,10 +17,10 @@ import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 
 /**
- * Every parameter there is: those of the original, supported or not, and the short ones for everyday use.
+ * The list of all parameters: those of the original, supported or not, and the short ones for everyday use.
  *
  * <p>The catalogue is data, the table {@code parameters.csv} beside this class, so that the command line, the help, the
- * documentation and the checks all say the same. Source: docs/specification/evolution.md, sections 13 and 14.
+ * documentation and the checks use the same facts. Source: docs/specification/evolution.md, sections 13 and 14.
  */
 public final class ParameterCatalogue {
 
@@ -30,7 +30,7 @@ public final class ParameterCatalogue {
         this.parameters = parameters;
     }
 
-    /** Reads the catalogue that is packed with the program. */
+    /** Reads the catalogue in the program's jar. */
     public static ParameterCatalogue load() {
         try (InputStream table = ParameterCatalogue.class.getResourceAsStream("parameters.csv");
                 MappingIterator<Row> rows = new CsvMapper()
@@ -60,7 +60,7 @@ public final class ParameterCatalogue {
     /**
      * The parameter with this name.
      *
-     * @throws UserError for an unknown name, with the nearest known one
+     * @throws UserError if the name is unknown; the message contains the nearest known name
      */
     public Parameter require(String name) {
         Parameter parameter = parameters.get(name);

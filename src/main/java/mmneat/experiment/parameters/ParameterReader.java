@@ -19,8 +19,8 @@ import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * Reads the parameters of an experiment from their layers. Later layers override earlier ones: the defaults, what the paper sets
- * for the task and method, the parameter file ({@code config=FILE}), the command line.
+ * Reads the parameters of an experiment from their layers. Later layers override earlier ones: the defaults, the
+ * published settings for the task and method, the parameter file ({@code config=FILE}), the command line.
  */
 public final class ParameterReader {
 
@@ -33,20 +33,20 @@ public final class ParameterReader {
     }
 
     /**
-     * What the words of a command line ask for.
+     * Reads the words of a command line.
      *
      * @param words each {@code name=value} or {@code name:value}
-     * @throws UserError for anything that is not understood
+     * @throws UserError if a word or value is invalid
      */
     public Result read(List<String> words) {
         return read(words, false);
     }
 
     /**
-     * The same for games with a network whose run the file ({@code config=}) describes: a value that decides nothing but the
-     * evolution of networks may be one that is not supported.
+     * As {@link #read}, for games with a network whose run the file ({@code config=}) describes. Unsupported values of
+     * parameters that only influence evolution are accepted.
      *
-     * @throws UserError for anything else that is not understood
+     * @throws UserError if another word or value is invalid
      */
     public Result readForGames(List<String> words) {
         return read(words, true);
@@ -59,8 +59,8 @@ public final class ParameterReader {
                 commandLine.containsKey("config") ? file(commandLine.get("config"), forGames, remarks) : Map.of();
         Map<String, String> asked = new LinkedHashMap<>(file);
         if (WHICH_RUNS.stream().anyMatch(commandLine::containsKey)) {
-            // The file may be that of one run (parameters.properties): a command line that asks for other runs takes
-            // everything else from it.
+            // The file may be that of one run (parameters.properties). If the command line selects other runs, all
+            // other values still come from the file.
             asked.keySet().removeAll(WHICH_RUNS);
         }
         asked.putAll(commandLine);
@@ -95,8 +95,8 @@ public final class ParameterReader {
     }
 
     /**
-     * Makes sure that the command line names the code that is loaded: a parameter file, as in the folder of a run, may come from
-     * someone else.
+     * Checks that the command line names the code to load. A parameter file, such as that in the folder of a run, may
+     * come from another person.
      *
      * @param classes the parameter that names classes
      */
@@ -139,8 +139,8 @@ public final class ParameterReader {
     }
 
     /**
-     * Notes parameters of the game that are given for another task. The file of a run holds every default, so that in a file
-     * only other values count; on the command line each word counts.
+     * Adds a remark for each parameter of the game that is given for another task. On the command line every value
+     * counts. The file of a run contains all defaults, so in a file only other values count.
      */
     private static void remarkOnGame(Map<String, String> commandLine, Parameters parameters, List<String> remarks) {
         List<String> idle = GameParameters.ofTheGameAlone().stream()
@@ -156,7 +156,7 @@ public final class ParameterReader {
         }
     }
 
-    /** A parameter file: Java properties, or one that the original saved. */
+    /** Reads a parameter file: Java properties, or a file that the original saved. */
     private Map<String, String> file(String name, boolean forGames, List<String> remarks) {
         Map<String, String> layer;
         try {
@@ -190,7 +190,7 @@ public final class ParameterReader {
         return parameter.isPresent() && !parameter.get().accepts(entry.getValue());
     }
 
-    /** The content of a file, or of the packed one with this name. */
+    /** Returns the content of a file, or of the file with this name in the program's jar. */
     private static byte[] bytes(String name) throws IOException {
         Path file = Path.of(name);
         if (Files.notExists(file)) {
@@ -202,7 +202,7 @@ public final class ParameterReader {
         return Files.readAllBytes(file);
     }
 
-    /** What a file says, in UTF-8, with or without the mark that some editors put first. */
+    /** Decodes UTF-8 text, with or without a byte order mark. */
     private static String text(byte[] bytes) {
         ByteBuffer read = ByteBuffer.wrap(bytes);
         CharBuffer text = CharBuffer.allocate(bytes.length);
@@ -216,7 +216,10 @@ public final class ParameterReader {
         return text.flip().toString().replaceFirst("^\uFEFF", "");
     }
 
-    /** A file that is meant to stand beside the parameter file, as in a run's folder; otherwise the name as it is. */
+    /**
+     * Returns the path of a file beside the parameter file, as in a run's folder, if it exists; otherwise the name
+     * unchanged.
+     */
     private static String besideFile(String parameterFile, String name) {
         Path beside = Path.of(parameterFile).resolveSibling(name);
         return !name.isEmpty() && Files.isRegularFile(beside, LinkOption.NOFOLLOW_LINKS) ? beside.toString() : name;
@@ -231,8 +234,9 @@ public final class ParameterReader {
     }
 
     /**
-     * Makes sure that a task or method of the command line is what its name says: the file goes before what the paper sets, and
-     * could make another of it, under the same name. A file that names the same task and method may say what it likes.
+     * Checks that the file does not turn the task or method of the command line into another one. The file overrides
+     * the published settings, so it could do that under the same name. A file that names the same task and method may
+     * set any value.
      */
     private static void requireNoContradiction(Map<String, String> commandLine, Parameters file, Parameters preset) {
         boolean otherMethod = isOther("method", commandLine, file);
@@ -277,10 +281,10 @@ public final class ParameterReader {
     }
 
     /**
-     * What was asked for.
+     * The parameters that were read.
      *
      * @param parameters all values
-     * @param remarks lines for the user about values that were understood otherwise than they look
+     * @param remarks messages to the user about values that were interpreted in an unexpected way
      */
     public record Result(Parameters parameters, List<String> remarks) {}
 }

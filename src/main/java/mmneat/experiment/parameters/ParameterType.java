@@ -18,13 +18,13 @@ public enum ParameterType {
         this.description = description;
     }
 
-    /** What a value of this type is, to stand behind "must be". */
+    /** Returns a description of this type that follows the words "must be". */
     String description() {
         return description;
     }
 
     /**
-     * The value in the one form in which equal values are equal texts.
+     * Returns the canonical form of a value: equal values have equal texts.
      *
      * @throws IllegalArgumentException if the text is no value of this type
      */
@@ -47,7 +47,7 @@ public enum ParameterType {
         return lower;
     }
 
-    /** Classes of the original, whichever of its packages they name, are known by their simple names. */
+    /** Returns the simple name of a class of the original, whichever package is given. */
     private static String canonicalClass(String text) {
         String name = text.strip();
         boolean ofOriginal = name.startsWith("edu.southwestern.")

@@ -4,7 +4,7 @@ import java.util.Optional;
 import mmneat.experiment.UserError;
 
 /**
- * One argument: a name and a value, in one of two forms. Which one is decided by the sign that comes first.
+ * One argument of the command line: a name and a value, in one of two forms. The first separator decides which.
  *
  * <ul>
  *   <li>{@code name=value}: everything behind the sign is the value, nothing at all included.
@@ -14,8 +14,8 @@ import mmneat.experiment.UserError;
  *
  * Source: docs/specification/evolution.md, section 4.1.
  *
- * @param name what stands before the sign
- * @param value what stands behind it
+ * @param name the text before the separator
+ * @param value the text after it
  * @param originalForm whether it was written with a colon
  */
 record ParameterWord(String name, String value, boolean originalForm) {
@@ -40,7 +40,7 @@ record ParameterWord(String name, String value, boolean originalForm) {
         return parsed;
     }
 
-    /** The original's rule alone; a missing value is the empty text, which only its files allow. */
+    /** Applies the original's rule. A missing value is the empty text, which only the original's files allow. */
     static ParameterWord original(String word) {
         String name = "";
         for (String piece : word.split(":")) {
@@ -55,7 +55,7 @@ record ParameterWord(String name, String value, boolean originalForm) {
         return new ParameterWord(name, "", true);
     }
 
-    /** The value as the parameter's type reads it in this form. */
+    /** Returns the canonical value of the parameter, read by the rules of this form. */
     String canonicalFor(Parameter parameter) {
         if (originalForm && parameter.type() == ParameterType.BOOLEAN) {
             return parameter.check(Boolean.toString(value.equalsIgnoreCase("true")));
@@ -63,7 +63,7 @@ record ParameterWord(String name, String value, boolean originalForm) {
         return parameter.check(value);
     }
 
-    /** Whether the original's form made something else of the value than its writer may have meant. */
+    /** Whether the original's form may have changed the intended value. */
     boolean isMisleading(Parameter parameter) {
         return originalForm
                 && parameter.type() == ParameterType.BOOLEAN

@@ -13,7 +13,7 @@ import java.util.TreeMap;
 import mmneat.experiment.PlainText;
 
 /**
- * A value for every parameter, all of them checked: the defaults, and over them what the layers gave.
+ * The checked values of all parameters: the defaults, overridden by the given layers.
  *
  * <p>Immutable. Made by {@link ParameterReader}. Code that needs more than a few values binds them to a record whose
  * components have the parameters' names ({@link #as}).
@@ -36,7 +36,7 @@ public final class Parameters {
         this.ofOwnTask = ofOwnTask;
     }
 
-    /** The defaults alone. */
+    /** Returns the defaults. */
     static Parameters defaults(ParameterCatalogue catalogue) {
         Map<String, String> values = new LinkedHashMap<>();
         for (Parameter parameter : catalogue.all()) {
@@ -45,7 +45,7 @@ public final class Parameters {
         return new Parameters(catalogue, values, Set.of(), Map.of());
     }
 
-    /** These with a layer over them; the texts are checked. */
+    /** Returns these values overridden by a layer, whose texts are checked. */
     public Parameters with(Map<String, String> layer) {
         Map<String, String> newValues = new LinkedHashMap<>(values);
         Set<String> newGiven = new HashSet<>(given);
@@ -63,12 +63,12 @@ public final class Parameters {
         return new Parameters(catalogue, newValues, newGiven, newOfOwnTask);
     }
 
-    /** These with one other value. */
+    /** Returns these values with one value changed. */
     public Parameters with(String name, Object value) {
         return with(Map.of(name, String.valueOf(value)));
     }
 
-    /** Whether any layer over the defaults says something of it, be it the default. */
+    /** Whether a layer gives a value, even if it is the default. */
     public boolean isGiven(String name) {
         catalogue.require(name);
         return given.contains(name);
@@ -95,7 +95,7 @@ public final class Parameters {
         return Boolean.parseBoolean(text(name));
     }
 
-    /** The values as a record; its components are called as the parameters. */
+    /** Returns the values as a record whose components have the parameters' names. */
     public <T> T as(Class<T> record) {
         JavaPropsMapper mapper = JavaPropsMapper.builder()
                 .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
@@ -107,12 +107,12 @@ public final class Parameters {
         }
     }
 
-    /** What is meant for a task of the user's own, without the prefix {@code task.}. */
+    /** Returns the parameters of a user's task, without the prefix {@code task.}. */
     public Map<String, String> ofOwnTask() {
         return Collections.unmodifiableMap(ofOwnTask);
     }
 
-    /** The catalogue that these are values of. */
+    /** The catalogue of these parameters. */
     public ParameterCatalogue catalogue() {
         return catalogue;
     }

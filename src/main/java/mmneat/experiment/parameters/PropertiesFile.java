@@ -13,10 +13,13 @@ import mmneat.experiment.FileErrors;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 
-/** Files of parameters: a line {@code name=value}, or the original's {@code name:value}, for each. */
+/**
+ * Reads and writes files of parameters: one line {@code name=value}, or the original's {@code name:value}, per
+ * parameter.
+ */
 public final class PropertiesFile {
 
-    /** The first sign or, if there is none, the first blank. */
+    /** The first separator or, if there is none, the first blank. */
     private static final Pattern END_OF_NAME = Pattern.compile("[=:]|[ \t](?=[^=:]*$)");
 
     private PropertiesFile() {}
@@ -24,7 +27,7 @@ public final class PropertiesFile {
     /**
      * All values by name.
      *
-     * @throws UserError if the file cannot be read, or a name stands there twice
+     * @throws UserError if the file cannot be read, or a name occurs twice
      */
     public static Map<String, String> read(Path file) {
         try {
@@ -37,13 +40,14 @@ public final class PropertiesFile {
     }
 
     /**
-     * The values of a text: on each line a name, {@code =} or {@code :} or a blank, and the value, which is everything behind it
-     * without the blanks and tabs around. Empty lines and lines that begin with {@code #} or {@code !} say nothing.
+     * Reads the values of a text. Each line has a name, {@code =} or {@code :} or a blank, and the value: the rest of
+     * the line without leading and trailing blanks and tabs. Empty lines and lines that start with {@code #} or {@code
+     * !} are ignored.
      *
-     * <p>A backslash stands for itself, so that names of Windows files need no care; only a single one at the very end of a line
-     * joins it to the next.
+     * <p>A backslash is an ordinary character, so Windows file names need no escapes. Only a single backslash at the
+     * end of a line joins it to the next.
      *
-     * @throws UserError if a name stands there twice
+     * @throws UserError if a name occurs twice
      */
     static Map<String, String> read(String text) {
         Map<String, String> values = new TreeMap<>();
@@ -59,7 +63,7 @@ public final class PropertiesFile {
         return values;
     }
 
-    /** The lines that say something, those that a backslash joins as one. */
+    /** Returns the lines that are not ignored, with continued lines joined. */
     private static List<String> joined(List<String> lines) {
         List<String> joined = new ArrayList<>();
         String begun = "";
@@ -79,25 +83,25 @@ public final class PropertiesFile {
     }
 
     /**
-     * The text that {@link #read(String)} reads as these values.
+     * Returns a text that {@link #read(String)} reads as these values.
      *
-     * @param values plain texts without blanks around them
-     * @param comment a line that stands first
+     * @param values printable texts without leading or trailing blanks
+     * @param comment the first line
      */
     public static String write(Map<String, String> values, String comment) {
         StringBuilder text = new StringBuilder("# " + comment + "\n");
         values.forEach((name, value) -> {
             text.append(name).append('=').append(value);
-            // A blank keeps the backslash from joining this line to the next.
+            // The blank prevents the backslash from joining this line to the next.
             text.append(value.endsWith("\\") ? " \n" : "\n");
         });
         return text.toString();
     }
 
     /**
-     * Makes sure that a value is a whole number, as far as there is one.
+     * Checks that a value, if there is one, is a whole number.
      *
-     * @param file where the values are from, for the message
+     * @param file the file with the values, for the message
      * @throws UserError if it is none
      */
     public static void requireWholeNumber(Path file, Map<String, String> values, String name) {
@@ -108,7 +112,7 @@ public final class PropertiesFile {
         }
     }
 
-    /** The same for any number. */
+    /** Checks that a value, if there is one, is a number. */
     public static void requireNumber(Path file, Map<String, String> values, String name) {
         try {
             Double.parseDouble(values.getOrDefault(name, "0"));

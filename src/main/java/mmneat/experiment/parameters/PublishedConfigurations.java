@@ -17,12 +17,12 @@ import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * The sixteen published experiments: what the paper sets for each version of the task and each method, from
- * {@code configs/<task>/<method>.properties}. Source: docs/specification/evolution.md, section 9.
+ * The settings of the sixteen published experiments, one per version of the task and method, from {@code
+ * configs/<task>/<method>.properties}. Source: docs/specification/evolution.md, section 9.
  */
 public final class PublishedConfigurations {
 
-    /** All methods, in the paper's order; each version has those that it has a file for. */
+    /** All methods, in the paper's order. A version of the task has the methods for which there is a file. */
     static final List<String> METHODS = List.of("1M", "2M", "3M", "MMD", "MT", "MT2", "MT3");
 
     private static final Pattern PLAIN_NAME = Pattern.compile("[\\w-]+(/[\\w-]+)*");
@@ -37,7 +37,8 @@ public final class PublishedConfigurations {
     }
 
     /**
-     * What the paper sets, besides the task and the method, which the files name so that they can be given as {@code config=}.
+     * Returns the paper's settings without task and method. The files also contain task and method, so that they can be
+     * given as {@code config=}.
      *
      * @throws UserError if the version was not published with this method
      */
@@ -62,9 +63,10 @@ public final class PublishedConfigurations {
     }
 
     /**
-     * The text of a packed file of an experiment, ours or of another paper.
+     * Returns the content of a configuration file in the program's jar, of this paper or another one.
      *
-     * @param name with or without the folder {@code configs} and the ending, for example {@code tciaig-2016/blended-split/MMD}
+     * @param name with or without the folder {@code configs} and the ending, for example {@code
+     *     tciaig-2016/blended-split/MMD}
      * @return empty if there is no such file
      */
     static Optional<byte[]> packed(String name) {
@@ -89,7 +91,7 @@ public final class PublishedConfigurations {
         return names;
     }
 
-    /** The parameters in which the versions differ, whatever the method. */
+    /** The parameters in which the versions differ, independent of the method. */
     static Collection<String> namesOfTasks() {
         Collection<String> names = differing(Stream.of(TaskVersion.values())
                 .flatMap(version -> methodsOf(version).stream().map(method -> settings(version, method))));
@@ -97,7 +99,7 @@ public final class PublishedConfigurations {
         return names;
     }
 
-    /** The names that some of the settings lack or give another value. */
+    /** Returns the names that some of the settings lack or give another value. */
     private static Collection<String> differing(Stream<Map<String, String>> settings) {
         List<Map<String, String>> all = settings.toList();
         Set<String> names = all.stream()
@@ -109,7 +111,7 @@ public final class PublishedConfigurations {
     }
 
     /**
-     * The parameters that make a method, for a task of the user's own, of which nothing was published.
+     * Returns the parameters that define a method, for a user's task without published settings.
      *
      * @throws UserError if the method divides the task, which only the published versions can
      */

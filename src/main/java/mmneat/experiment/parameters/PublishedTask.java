@@ -11,7 +11,7 @@ import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 
-/** Tells which version of the published task and which method parameters describe, by our names or the original's. */
+/** Determines the version of the published task and the method from parameters, by our names or the original's. */
 public final class PublishedTask {
 
     private static final String GAME_CLASS = "MsPacManTask";
@@ -37,9 +37,9 @@ public final class PublishedTask {
     private PublishedTask() {}
 
     /**
-     * The version that checked parameters describe.
+     * Returns the version that checked parameters describe.
      *
-     * @return empty for a task class of the user's own
+     * @return empty for a user's task class
      * @throws UserError if the parameters name no task, or contradict each other
      */
     public static Optional<TaskVersion> version(Parameters parameters) {
@@ -64,10 +64,10 @@ public final class PublishedTask {
     }
 
     /**
-     * The version that a run's parameters describe, as far as they say it.
+     * Returns the version that a run's parameters describe, if they name a task.
      *
      * @param parameters by name, as written in the run's folder; missing ones have their defaults
-     * @return empty for a task class of the user's own, and if no task is named
+     * @return empty for a user's task class, or if no task is named
      */
     public static Optional<TaskVersion> version(Map<String, String> parameters) {
         String task = parameters.getOrDefault("task", "");
@@ -85,10 +85,10 @@ public final class PublishedTask {
     }
 
     /**
-     * The method that the parameters amount to, whatever they call it.
+     * Returns the method that the values of the parameters define, whatever its given name.
      *
      * @param parameters by name; missing ones have their defaults
-     * @return its short name, such as {@code 2M}; empty for a combination that has none
+     * @return its short name, such as {@code 2M}; empty for a combination without a name
      */
     public static Optional<String> method(Map<String, String> parameters) {
         int startingModes = Integer.parseInt(parameters.getOrDefault("startingModes", "1"));
@@ -107,8 +107,9 @@ public final class PublishedTask {
     }
 
     /**
-     * The parameters of a run that differ from those of the published experiment with the same version and method. Parameters that
-     * do not change the evolution (files, seeds, threads) are not compared, nor are those that the run does not name.
+     * Returns the parameters of a run that differ from those of the published experiment with the same version and
+     * method. Parameters that do not change the evolution (files, seeds, threads) are not compared, nor are those that
+     * the run does not name.
      *
      * @param version of the task
      * @param method a method with which the version was published
@@ -136,8 +137,8 @@ public final class PublishedTask {
     }
 
     /**
-     * Whether one of the parameters is among those that make a method, or an experiment of another paper: another value makes a method
-     * of its own.
+     * Whether one of the parameters is among those that define a method or an experiment of another paper, so that
+     * another value makes another method.
      */
     public static boolean changesTheMethod(Collection<String> names) {
         return !Collections.disjoint(names, PublishedConfigurations.namesOfMethods())
@@ -145,9 +146,9 @@ public final class PublishedTask {
     }
 
     /**
-     * The method of multitask networks.
+     * Returns the name of the method of multitask networks.
      *
-     * @param version of the task; empty for a task of the user's own
+     * @param version of the task; empty for a user's task
      * @param modules modules of the networks
      */
     public static String multitask(Optional<TaskVersion> version, int modules) {

@@ -13,21 +13,21 @@ import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 import pacman.game.GhostLocations;
 
-/** Makes the tasks that parameters describe. */
+/** Factory of the tasks that parameters describe. */
 public final class Tasks {
 
-    /** The parameter that names a file of ghost locations; empty: those that come with the program. */
+    /** The parameter that names a file of ghost locations; an empty value means those shipped with the program. */
     public static final String GHOST_LOCATIONS = "mazePowerPillGhostMapping";
 
-    /** Instead of a file's name: the recording that comes with the program. */
+    /** The value, instead of a file, for the recording shipped with the program. */
     public static final Path SHIPPED_LOCATIONS = Path.of("");
 
     private Tasks() {}
 
     /**
-     * Makes tasks, each for one thread.
+     * Returns a factory of tasks, each for one thread.
      *
-     * @throws UserError if the parameters describe none
+     * @throws UserError if the parameters do not describe a task
      */
     public static Supplier<Task> factory(Parameters parameters) {
         return PublishedTask.version(parameters)

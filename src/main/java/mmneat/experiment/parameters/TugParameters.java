@@ -15,7 +15,8 @@ import mmneat.evolution.TugSettings.Option;
 import mmneat.experiment.UserError;
 
 /**
- * The parameters of targeting unachieved goals; named as the parameters, see the catalogue.
+ * The parameters of targeting unachieved goals (TUG). Components have the names of the parameters, which the catalogue
+ * describes.
  *
  * <p>Source: docs/specification/original-options.md, section 4.1.
  */
@@ -51,7 +52,7 @@ record TugParameters(
     private static final String CHOICE = "TUGNSGA2";
 
     /**
-     * The policy that is asked for, if any.
+     * Returns the policy, if the parameters choose TUG.
      *
      * @throws UserError if there are too few parameters for the objectives of the task
      */
@@ -98,7 +99,9 @@ record TugParameters(
         return new double[] {initialTUGGoal0, initialTUGGoal1, initialTUGGoal2, initialTUGGoal3};
     }
 
-    /** The values for the objectives of a task; the original has parameters for the first few objectives only. */
+    /**
+     * Returns the values for the objectives of a task. The original has parameters only for the first few objectives.
+     */
     private static double[] ofEach(int objectives, String choice, String name, double[] values) {
         if (objectives > values.length) {
             throw new UserError(choice + "=true: the task has " + objectives + " objectives, but the last parameter is "
@@ -117,7 +120,7 @@ record TugParameters(
         return choice.keySet();
     }
 
-    /** The names of the parameters that mean nothing without TUG. */
+    /** The names of the parameters that have no effect without TUG. */
     static List<String> names() {
         return Arrays.stream(TugParameters.class.getRecordComponents())
                 .map(component -> component.getName())

@@ -1,5 +1,5 @@
 /**
- * Parameters: their catalogue, the layers that give them values (defaults, published settings, configuration file, command
- * line), and the settings of tasks and evolutions that are made from them.
+ * Parameters: their catalogue, the layers that give them values (defaults, published settings, configuration file,
+ * command line), and the settings of tasks and evolutions that are made from them.
  */
 package mmneat.experiment.parameters;
