@@ -7,7 +7,7 @@ import mmneat.evolution.Evaluation.Outcomes;
 import mmneat.evolution.Individual;
 
 /**
- * What the Performance log says of the evaluations of a generation: times, and how trials ended.
+ * The values of the Performance log for the evaluations of a generation: times, and how trials ended.
  *
  * <p>Source: docs/specification/evolution.md, section 5.2.
  */
@@ -23,7 +23,7 @@ final class EvaluationCosts {
 
     private EvaluationCosts() {}
 
-    /** The costs of each individual. */
+    /** Returns the costs of each individual. */
     static List<double[]> of(List<Individual> individuals, int trials) {
         // The original counts how trials end in counters of the whole generation and reads them at the first
         // individual.

@@ -8,7 +8,8 @@ import mmneat.evolution.SampleStatistics;
 import mmneat.experiment.store.RunLayout;
 
 /**
- * The log of how many modules the best and the worst parents have, and how well parents do with each number of modules.
+ * The log of module numbers (ModeUsage): how many modules the best and the worst parents have, and the best score for
+ * each number of modules.
  *
  * <p>Source: docs/specification/evolution.md, section 5.2 (ModeUsage).
  */
@@ -16,7 +17,7 @@ final class ModuleCountLog {
 
     private static final int COUNTED_APART = 5;
 
-    /** The last one says 6 for 5, as in the original. */
+    /** The last label says 6 instead of 5, as in the original. */
     private static final List<String> LABELS = List.of(
             "Max Modes of Best",
             "Min Modes of Best",
@@ -54,7 +55,7 @@ final class ModuleCountLog {
         return generation + "\t" + PopulationLog.tabbed(values) + "\n";
     }
 
-    /** Most, fewest and mean number of modules among the parents with a score. */
+    /** Maximum, minimum and mean number of modules among the parents with this score. */
     private static void modulesOfThoseWith(double score, List<Individual> parents, double[] values, int first) {
         double[] modules = parents.stream()
                 .filter(parent -> score(parent) == score)
@@ -66,7 +67,10 @@ final class ModuleCountLog {
         values[first + 2] = statistics.mean();
     }
 
-    /** The best score of the parents with a number of modules, the largest number standing for all above; 0 if none. */
+    /**
+     * Returns the best score of the parents with this number of modules; 0 if there are none. The largest number
+     * includes all above it.
+     */
     private static double bestWith(int modules, List<Individual> parents) {
         return parents.stream()
                 .filter(parent -> Math.min(parent.genotype().modules(), COUNTED_APART + 1) == modules)
@@ -75,7 +79,10 @@ final class ModuleCountLog {
                 .orElse(0);
     }
 
-    /** The first of the other scores, which in Ms. Pac-Man is the mean game score; without other scores the first objective. */
+    /**
+     * Returns the first of the other scores, which in Ms. Pac-Man is the mean game score; if there are none, the first
+     * objective.
+     */
     private static double score(Individual individual) {
         double[] others = individual.evaluation().otherScores();
         return others.length > 0 ? others[0] : individual.evaluation().objectives()[0];

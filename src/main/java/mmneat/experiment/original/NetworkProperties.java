@@ -9,7 +9,7 @@ import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
 
 /**
- * What the log of networks says of one: sizes, how its modules were used, and which inputs it uses.
+ * The values of the log of networks for one network: sizes, module usage, and which inputs it uses.
  *
  * <p>Source: docs/specification/evolution.md, section 5.2 (TWEANNData).
  */
@@ -64,7 +64,7 @@ final class NetworkProperties {
         return properties;
     }
 
-    /** Each module's share of all choices; nothing if there were none. */
+    /** Returns each module's share of all choices; empty if there were no choices. */
     private static double[] usageShares(int[] usage) {
         double total = Arrays.stream(usage).asLongStream().sum();
         return total == 0

@@ -6,7 +6,7 @@ import mmneat.experiment.store.RunLayout;
 import mmneat.neat.variation.Offspring;
 
 /**
- * The logs of lineage and of mutations: a line for each child, and one that closes the generation.
+ * The logs of lineage and of mutations: one line per child, and one at the end of a generation.
  *
  * <p>Source: docs/specification/evolution.md, sections 1.2, 3.4 and 5.1.
  */
@@ -22,7 +22,7 @@ final class OffspringLogs {
         return RunLayout.log(prefix, RunLayout.MUTATIONS);
     }
 
-    /** Who came from whom in a generation. */
+    /** Returns the lines with the parents of each child. */
     static String lineage(int generation, List<Offspring> offspring) {
         return lines(generation, offspring, child -> {
             String mate = child.secondParent().isPresent()
@@ -32,7 +32,7 @@ final class OffspringLogs {
         });
     }
 
-    /** Who was changed by what in a generation. */
+    /** Returns the lines with the mutations of each child. */
     static String mutations(int generation, List<Offspring> offspring) {
         return lines(generation, offspring, child -> {
             StringBuilder line =

@@ -3,12 +3,12 @@ package mmneat.experiment.original;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A gnuplot script, line by line. */
+/** A builder of gnuplot scripts. */
 final class PlotScript {
 
     private final StringBuilder text = new StringBuilder();
 
-    /** A script that begins with these lines. */
+    /** Creates a script that starts with these lines. */
     PlotScript(String... header) {
         for (String line : header) {
             line(line);
@@ -18,13 +18,13 @@ final class PlotScript {
     /**
      * One curve.
      *
-     * @param file the file with the data, as gnuplot is to find it
+     * @param file path of the data file for gnuplot
      * @param column column of the values; generations are in the first column, which is column 1
-     * @param title what the key says
+     * @param title its title in the key
      */
     record Curve(String file, int column, String title) {}
 
-    /** Curves of the least, mean and largest values. */
+    /** Returns curves of the minimum, mean and maximum. */
     static List<Curve> spread(String file, int minColumn, int meanColumn, int maxColumn) {
         return List.of(
                 new Curve(file, minColumn, "MIN"),
@@ -38,7 +38,7 @@ final class PlotScript {
         return this;
     }
 
-    /** Adds a picture, at which gnuplot waits for a key. */
+    /** Adds a picture, after which gnuplot waits for a key press. */
     PlotScript picture(String title, List<Curve> curves) {
         line("set title \"" + title + "\"");
         line("plot \\");

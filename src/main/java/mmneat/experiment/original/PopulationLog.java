@@ -8,12 +8,11 @@ import mmneat.experiment.store.DoubleText;
 import mmneat.experiment.store.RunLayout;
 
 /**
- * A log with a row for each generation: of every property of a population its least, mean and largest value and its standard
- * deviation.
+ * A log with one row per generation: minimum, mean, maximum and standard deviation of every property of a population.
  *
  * <p>Source: docs/specification/evolution.md, sections 5.2 and 5.3.
  *
- * @param name what the log is of, such as {@code parents}
+ * @param name name of the population, such as {@code parents}
  * @param labels names of the properties
  */
 record PopulationLog(String name, List<String> labels) {
@@ -58,7 +57,7 @@ record PopulationLog(String name, List<String> labels) {
         return script.toString();
     }
 
-    /** Numbers, a tab behind each. */
+    /** Returns the numbers, each followed by a tab. */
     static String tabbed(double... values) {
         StringBuilder text = new StringBuilder();
         Arrays.stream(values).forEach(value -> text.append(DoubleText.of(value)).append('\t'));

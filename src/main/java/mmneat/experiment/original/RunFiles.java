@@ -19,11 +19,12 @@ import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeXml;
 
 /**
- * Writes what the original writes into a run's folder: score files, logs, gnuplot scripts, champions, networks and archetype.
+ * Writes the original's files into a run's folder: score files, logs, gnuplot scripts, champions, networks and
+ * archetype.
  *
- * <p>All files of a generation are written when it is over. A generation that was interrupted is evolved again, and its files
- * come out the same. The networks are the exception if only the newest are wanted: they follow from the checkpoint, and most
- * would be deleted at once. {@link #writeNewestNetworks} writes them.
+ * <p>All files of a generation are written at its end. An interrupted generation is evolved again, with the same files.
+ * If only the newest networks are wanted, {@link #writeNewestNetworks} writes them instead: they follow from the
+ * checkpoint, and most would be deleted at once.
  *
  * <p>Source: docs/specification/evolution.md, section 5.
  */
@@ -38,19 +39,19 @@ public final class RunFiles implements EvolutionObserver {
     private final PopulationLog networksLog;
     private final PopulationLog performanceLog;
 
-    /** Which files are wanted. The names in brackets are the parameters. */
+    /** The groups of files to write. The names in brackets are the parameters. */
     public enum Choice {
         /** Score files, logs and gnuplot scripts ({@code io}). */
         LOGS,
         /** Networks, archetype and champions ({@code netio}). */
         NETWORKS,
-        /** Networks may have several modules, so that there is a log of their numbers. */
+        /** The log of module numbers, for networks that may have several modules. */
         MODULE_COUNTS,
         /** The networks of earlier generations are deleted ({@code cleanOldNetworks}). */
         NEWEST_NETWORKS_ONLY
     }
 
-    /** Files about the evolution for a task, in a folder. */
+    /** Creates the writer of a run's files. */
     public RunFiles(RunFolder folder, Task task, Set<Choice> choices) {
         this.folder = folder;
         this.task = task;
@@ -63,7 +64,7 @@ public final class RunFiles implements EvolutionObserver {
         performanceLog = new PopulationLog(RunLayout.PERFORMANCE, EvaluationCosts.LABELS);
     }
 
-    /** Writes what is there before the first generation of a new run: scripts, initial networks, archetype. */
+    /** Writes the files of a new run before its first generation: scripts, initial networks, archetype. */
     public void begin(EvolutionState initial) {
         if (choices.contains(Choice.LOGS)) {
             String prefix = folder.prefix();
@@ -81,8 +82,8 @@ public final class RunFiles implements EvolutionObserver {
     }
 
     /**
-     * Writes the networks of the next parents and the archetype; earlier ones are deleted if only the newest are wanted. To be
-     * called after the last generation, and whenever it is worth while before.
+     * Writes the networks of the next parents and the archetype; earlier ones are deleted if only the newest are
+     * wanted. Call it after the last generation; it may also be called before.
      */
     public void writeNewestNetworks(EvolutionState next) {
         if (!choices.contains(Choice.NETWORKS)) {
@@ -128,7 +129,7 @@ public final class RunFiles implements EvolutionObserver {
             logParents(finalParents);
         }
         if (choices.contains(Choice.NETWORKS)) {
-            // The champion stays that of the last generation with children: the original's quirk.
+            // Quirk of the original: the champion remains that of the last generation with children.
             writeBestInObjectives(finalParents.parents());
         }
     }
@@ -203,18 +204,18 @@ public final class RunFiles implements EvolutionObserver {
         for (Genotype genotype : state.population()) {
             String file = RunLayout.network(folder.prefix(), state.generation(), index++);
             if (choices.contains(Choice.NEWEST_NETWORKS_ONLY)) {
-                folder.writeRemakeable(file, GenotypeXml.write(genotype));
+                folder.writeDerived(file, GenotypeXml.write(genotype));
             } else {
-                // Those of earlier generations are in no checkpoint.
+                // The networks of earlier generations are not in the checkpoint.
                 writeGenotype(file, genotype);
             }
         }
-        folder.writeRemakeable(
+        folder.writeDerived(
                 RunLayout.ARCHETYPE,
                 GenotypeXml.writeArchetype(state.pool().archetype().entries()));
     }
 
-    /** The file stays as it is when no shadow entries are left. */
+    /** Writes the shadow entries. If there are none, an existing file stays unchanged, as in the original. */
     private void writeShadows(EvolutionState state) {
         SortedMap<Long, Long> shadows = state.pool().archetype().shadows();
         if (!shadows.isEmpty()) {

@@ -18,9 +18,10 @@ import mmneat.experiment.store.SymbolicLinks;
 import mmneat.nsga2.Hypervolume;
 
 /**
- * Summaries over the runs of an experiment: hypervolumes, logs averaged over runs, and the gnuplot scripts that show them.
+ * Summaries over the runs of an experiment: hypervolumes, logs averaged over runs, and the gnuplot scripts that show
+ * them.
  *
- * <p>Unlike the original, nothing of the runs is lost on the way: all generations that all runs have are averaged.
+ * <p>Unlike in the original, the averages include all generations that all runs have.
  *
  * <p>Source: docs/specification/evolution.md, section 7.
  */
@@ -38,12 +39,12 @@ public final class RunSummaries {
     private final RunFolder output;
 
     /**
-     * Summaries of an experiment.
+     * Creates the summaries of an experiment.
      *
      * @param base folder with the folders of the runs, where the summaries are written
-     * @param saveTo what the folders of the runs are called, without the run number
-     * @param log what their files' names start with, without the run number
-     * @param task whose scores and inputs the files tell of
+     * @param saveTo name of the runs' folders, without the run number
+     * @param log prefix of their files' names, without the run number
+     * @param task the task of the runs
      */
     public RunSummaries(Path base, String saveTo, String log, Task task) {
         this.base = base;
@@ -56,7 +57,7 @@ public final class RunSummaries {
     /**
      * Writes the summaries of these runs.
      *
-     * @throws UserError if a run's file cannot be read or does not hold the numbers that it should; the message names it
+     * @throws UserError if a run's file cannot be read or has invalid numbers; the message names it
      * @throws java.io.UncheckedIOException if a summary cannot be written
      */
     public void write(List<Integer> runs) {
@@ -97,7 +98,10 @@ public final class RunSummaries {
         }
     }
 
-    /** Makes sure that a file of scores is whole: as many parents as in generation 0, and a finite score in each objective. */
+    /**
+     * Checks that a file of scores is complete: as many parents as in generation 0, and a finite score in each
+     * objective.
+     */
     private void requireScores(int run, int generation, List<double[]> parents, int population) {
         int columns = 2 + task.objectiveNames().size();
         boolean areWhole = parents.stream()
@@ -110,7 +114,7 @@ public final class RunSummaries {
         }
     }
 
-    /** Every column becomes two: mean and variance over the runs. */
+    /** Writes the averages of a log: each column becomes two, mean and variance over the runs. */
     private void writeAverages(List<Integer> runs, String file) {
         List<List<double[]>> ofRuns = runs.stream().map(run -> rows(run, file)).toList();
         requireSameColumns(runs, file, ofRuns);
@@ -187,7 +191,7 @@ public final class RunSummaries {
         output.write(log + "AVG_" + name + ".plot", script.toString());
     }
 
-    /** Where the mean of a log's column is found in the averages; both counted from 1. */
+    /** Returns the column of the averages with the mean of a log's column; both are counted from 1. */
     private static int meanColumn(int column) {
         return 2 * column - 1;
     }

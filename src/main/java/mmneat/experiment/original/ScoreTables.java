@@ -10,7 +10,7 @@ import mmneat.evolution.Individual;
 import mmneat.experiment.store.DoubleText;
 
 /**
- * Scores of individuals as text.
+ * Formats scores of individuals as in the original's files.
  *
  * <p>Source: docs/specification/evolution.md, sections 1.3 and 5.1.
  */
@@ -18,7 +18,7 @@ final class ScoreTables {
 
     private ScoreTables() {}
 
-    /** A line for each individual: index, id, scores. */
+    /** Returns one line per individual: index, id, scores. */
     static String of(List<Individual> individuals, Function<Evaluation, double[]> scores) {
         List<String> lines = new ArrayList<>(individuals.size());
         for (Individual individual : individuals) {
@@ -28,7 +28,7 @@ final class ScoreTables {
         return String.join("", lines);
     }
 
-    /** All that is known of one individual's scores, as the original prints it. */
+    /** Returns all scores of one individual, as the original prints them. */
     static String line(Individual individual) {
         Evaluation evaluation = individual.evaluation();
         return individual.genotype().id() + ":N=1:" + list(evaluation.objectives()) + list(evaluation.otherScores())

@@ -7,7 +7,7 @@ import mmneat.evolution.TugStep;
 import mmneat.experiment.store.RunLayout;
 
 /**
- * The log of the goals of targeting unachieved goals, a row per generation.
+ * The log of targeting unachieved goals (TUG), one row per generation.
  *
  * <p>Source: docs/specification/original-options.md, section 4.5.
  */
@@ -52,7 +52,7 @@ final class TugLog {
     /**
      * The gnuplot script that shows the log.
      *
-     * @param labels the objectives and, the original's quirk, all other scores, whose columns the log does not have
+     * @param labels the objectives and, as a quirk of the original, all other scores, for which the log has no columns
      */
     static String plotScript(String prefix, List<String> labels) {
         PlotScript script = new PlotScript("set style data lines", "set xlabel \"Generation\"", "");

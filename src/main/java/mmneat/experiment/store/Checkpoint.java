@@ -18,13 +18,14 @@ import mmneat.experiment.PlainText;
 import mmneat.neat.io.GenotypeJson;
 
 /**
- * All that a run needs to continue as if it had never stopped.
+ * The complete state of a run between two generations. A run that continues from it gives the same results as one that
+ * was never stopped.
  *
  * @param format always {@value #FORMAT}
  * @param version version of the format
- * @param logs length in bytes of every log when the generation was over
- * @param unsynced what of the run's files had been written but not synced to the disk; empty: nothing, it all outlives a failure
- *     of the machine
+ * @param logs length in bytes of every log at the end of the generation
+ * @param unsynced the parts of the run's files that were written but not synced to the disk; empty if all files survive
+ *     a failure of the machine
  * @param evolution population, generator, counters
  */
 @JsonPropertyOrder({"format", "version", "logs", "unforced", "evolution"})
@@ -54,7 +55,7 @@ public record Checkpoint(
         }
         Objects.requireNonNull(logs, "logs");
         Objects.requireNonNull(evolution, "evolution");
-        // Earlier programs synced everything and did not say so.
+        // Earlier versions of the program synced everything and did not write this field.
         unsynced = unsynced == null ? new TreeMap<>() : unsynced;
     }
 
@@ -63,12 +64,12 @@ public record Checkpoint(
         return new Checkpoint(FORMAT, VERSION, new TreeMap<>(logs), unsynced, evolution);
     }
 
-    /** Whether all files of the run were on the disk when this was written. */
+    /** Whether all files of the run were synced when this was written. */
     public boolean wasSynced() {
         return unsynced.isEmpty();
     }
 
-    /** The same, after all files of the run were synced to the disk. */
+    /** Returns this checkpoint, marked as synced. */
     public Checkpoint synced() {
         return new Checkpoint(format, version, logs, new TreeMap<>(), evolution);
     }
@@ -84,7 +85,7 @@ public record Checkpoint(
     /**
      * Reads what {@link #toJson} wrote.
      *
-     * @throws IOException if it is no checkpoint of this version; the message is one line
+     * @throws IOException if it is not a checkpoint of this version; the message is one line
      */
     static Checkpoint fromJson(byte[] json) throws IOException {
         try {

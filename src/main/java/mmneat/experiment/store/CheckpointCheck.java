@@ -14,41 +14,44 @@ import mmneat.evolution.EvolutionSettings;
 import mmneat.experiment.UserError;
 
 /**
- * What a checkpoint has to fulfil for a run to continue from it: it names files of this run alone, and its state is one that an
- * evolution with these settings can be in.
+ * The check that a run can continue from a checkpoint. The checkpoint must name only files of this run, and its state
+ * must be possible in an evolution with these settings.
  */
 public final class CheckpointCheck {
 
-    /** Room for all but the genotypes, in bytes of JSON. */
+    /** Maximum size of everything except the genotypes, in bytes of JSON. */
     private static final long ROOM_FOR_THE_REST = 16L << 20;
 
-    /** Room for a genotype: some ten thousand genes. */
+    /** Maximum size of a genotype, in bytes of JSON: about ten thousand genes. */
     private static final long ROOM_FOR_A_GENOTYPE = 1L << 20;
 
     private final EvolutionSettings settings;
     private final String prefix;
 
     /**
-     * A check for one run.
+     * Creates the check for one run.
      *
-     * @param prefix what the names of its score files and logs start with
+     * @param prefix prefix of the names of its score files and logs
      */
     public CheckpointCheck(EvolutionSettings settings, String prefix) {
         this.settings = settings;
         this.prefix = prefix;
     }
 
-    /** The size from which on an unpacked checkpoint is refused, in bytes: it may be made to fill the memory. */
+    /**
+     * Returns the maximum uncompressed size in bytes. Larger checkpoints are refused, because they may be made to
+     * exhaust the memory.
+     */
     long maximumBytes() {
         return Math.min(Integer.MAX_VALUE - 16L, ROOM_FOR_THE_REST + ROOM_FOR_A_GENOTYPE * settings.populationSize());
     }
 
     /**
-     * Makes sure that the run of a folder can continue from a checkpoint.
+     * Checks that the run of a folder can continue from a checkpoint.
      *
      * @throws UserError if the checkpoint names a file that is not of this run
      * @throws IllegalArgumentException if it is damaged; the message says what is wrong
-     * @throws IOException if a log cannot be looked at
+     * @throws IOException if a log cannot be read
      */
     void require(Checkpoint checkpoint, Path directory) throws IOException {
         requireNames(checkpoint.logs().keySet(), name -> RunLayout.isLog(prefix, name), directory);
@@ -88,7 +91,9 @@ public final class CheckpointCheck {
         }
     }
 
-    /** A log that the checkpoint does not know would be begun anew. */
+    /**
+     * Checks that the checkpoint contains all logs of the folder. A log unknown to the checkpoint would be overwritten.
+     */
     private void requireAllLogs(Set<String> known, Path directory) throws IOException {
         Set<String> forgotten = new TreeSet<>();
         try (Stream<Path> files = Files.list(directory)) {

@@ -14,14 +14,15 @@ import java.util.zip.GZIPOutputStream;
 import mmneat.experiment.UserError;
 
 /**
- * The newest checkpoint of a run, {@code checkpoint.json.gz}, and the one to fall back on,
- * {@code checkpoint-previous.json.gz}.
+ * The files of a run's newest checkpoint, {@code checkpoint.json.gz}, and of the previous one, {@code
+ * checkpoint-previous.json.gz}.
  *
- * <p>The checksum is gzip's own (CRC-32 and length, at the end of the file): a checkpoint that was cut or changed is
- * recognised, and the previous one is used. It is used, too, if the newest one tells of files that are not what they were.
+ * <p>The checksum is gzip's own (CRC-32 and length, at the end of the file): a truncated or changed checkpoint is
+ * detected, and the previous one is used. The previous one is also used if files recorded in the newest one have
+ * changed.
  *
- * <p>A checkpoint that was synced to the disk, together with the files that it tells of, outlives a failure of the machine. At
- * any moment at least one of the two is such a one, from the first that is saved on.
+ * <p>A checkpoint that was synced to the disk together with the files recorded in it survives a failure of the machine.
+ * From the first save on, at least one of the two is always synced.
  */
 public final class CheckpointFile {
 
@@ -39,7 +40,7 @@ public final class CheckpointFile {
         previous = directory.resolve(RunLayout.PREVIOUS_CHECKPOINT);
     }
 
-    /** Writes the next checkpoint, and syncs it to the disk if the files that it tells of were. */
+    /** Writes the next checkpoint, and syncs it to the disk if the files recorded in it were synced. */
     public void save(Checkpoint checkpoint) throws IOException {
         byte[] packed = pack(checkpoint.toJson());
         if (newestOutlivesTheMachine) {
@@ -62,16 +63,16 @@ public final class CheckpointFile {
         return packed.toByteArray();
     }
 
-    /** Whether a run has begun here. */
+    /** Whether a run was started in this folder. */
     boolean exists() {
         return Files.exists(newest) || Files.exists(previous);
     }
 
     /**
-     * Makes sure that the folder holds a checkpoint, or else no files of a run: results of the original, or of a run whose
-     * checkpoints were deleted, would be replaced.
+     * Checks that the folder has a checkpoint or no files of a run. Otherwise results would be overwritten: those of
+     * the original, or of a run whose checkpoints were deleted.
      *
-     * @throws UserError if it holds files of a run without a checkpoint
+     * @throws UserError if the folder has files of a run but no checkpoint
      */
     public void requireNoRun() throws IOException {
         if (exists() || !Files.isDirectory(directory)) {
@@ -92,10 +93,10 @@ public final class CheckpointFile {
     }
 
     /**
-     * The newest checkpoint that is whole, passes the check, and whose files are whole.
+     * Returns the newest checkpoint that is undamaged, passes the check, and whose files are unchanged.
      *
-     * @return empty if there is none at all
-     * @throws UserError if those that are there are damaged, or one names files that are not of its run
+     * @return empty if there is no checkpoint
+     * @throws UserError if all existing checkpoints are damaged, or one names files that are not of its run
      */
     public Optional<Checkpoint> load(CheckpointCheck check) throws IOException {
         newestOutlivesTheMachine = false;
@@ -112,7 +113,7 @@ public final class CheckpointFile {
                 noteDamage(
                         file, "files of generation " + (checkpoint.evolution().generation() - 1) + " are damaged");
             } catch (NoSuchFileException e) {
-                // Killed between two renames, or never written: the other file tells.
+                // The program was killed between two renames, or the file was never written: try the other file.
                 continue;
             } catch (IOException | IllegalArgumentException e) {
                 noteDamage(file, String.valueOf(e.getMessage()));
@@ -142,7 +143,9 @@ public final class CheckpointFile {
         damage += (damage.isEmpty() ? "" : "; ") + file.getFileName() + ": " + reason;
     }
 
-    /** What was wrong with the checkpoints that {@link #load} did not choose, in one line; empty if nothing was. */
+    /**
+     * Returns what was wrong with the checkpoints that {@link #load} rejected, in one line; empty if it rejected none.
+     */
     public String damage() {
         return damage;
     }

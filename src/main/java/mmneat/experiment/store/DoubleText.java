@@ -3,10 +3,11 @@ package mmneat.experiment.store;
 import java.math.BigInteger;
 
 /**
- * Doubles as text in the form in which the original's files hold them: that of {@code Double.toString} before Java 19.
+ * Formats doubles as in the original's files: like {@code Double.toString} before Java 19.
  *
- * <p>Since Java 19 {@code Double.toString} gives the shortest digits that read back as the same double; before, it sometimes
- * gave one digit more. Files must not depend on the Java that happens to run, so the older rule is written out here.
+ * <p>Since Java 19 {@code Double.toString} returns the shortest digits that read back as the same double; before, it
+ * sometimes returned one digit more. Files must not depend on the version of Java, so this class implements the older
+ * rule.
  *
  * <p>Source: G. L. Steele, J. L. White: How to print floating-point numbers accurately, PLDI 1990, of whose free-format
  * algorithm that rule is a variant; docs/specification/evolution.md, section 5.
@@ -54,7 +55,7 @@ public final class DoubleText {
         int exponent = (int) (bits >>> FRACTION_BITS) - 1023;
         int significantBits = FRACTION_BITS + 1;
         if (exponent == -1023) {
-            // Subnormal: shifted until the leading bit is where that of other numbers is implied.
+            // Subnormal: shifted until the leading bit is at the position of the implicit bit of normal numbers.
             int shift = Long.numberOfLeadingZeros(fraction) - (63 - FRACTION_BITS);
             fraction <<= shift;
             exponent = -1022 - shift;
@@ -72,7 +73,7 @@ public final class DoubleText {
         }
     }
 
-    /** An integer below 2^63: all its digits but those beyond a double's precision, rounded. */
+    /** Generates the digits of an integer below 2^63, rounded to the precision of a double. */
     private void developInteger(long fraction, int exponent, int significantBits) {
         long integer = exponent >= FRACTION_BITS
                 ? fraction << exponent - FRACTION_BITS
@@ -92,9 +93,9 @@ public final class DoubleText {
     }
 
     /*
-     * Steele and White's digit generation. The value is remainder / unit times a power of ten; halfGap is, on the same scale,
-     * half the distance to the next double. Digits are produced until the rest is within halfGap of what has been printed
-     * (low) or of the next higher last digit (high).
+     * Steele and White's digit generation. The value is remainder / unit times a power of ten; halfGap is, on the same
+     * scale, half the distance to the next double. Digits are produced until the rest is within halfGap of what has
+     * been printed (low) or of the next higher last digit (high).
      */
     private void developFraction(long fraction, int usedBits, int exponent, int significantBits) {
         int tinyBits = Math.max(0, usedBits - exponent - 1);
@@ -135,7 +136,7 @@ public final class DoubleText {
         }
     }
 
-    /** Digit generation where all numbers fit into a long: most doubles of everyday size. */
+    /** Digit generation if all numbers fit into a long, as for most doubles of usual size. */
     private void generateDigits(long rest, long unit, long gap, int estimate) {
         int exponent = estimate;
         long tenUnits = unit * 10;
@@ -150,7 +151,7 @@ public final class DoubleText {
             digits.append(digit);
         }
         if (exponent < -3 || exponent >= 8) {
-            // Scientific notation has at least one digit behind the point.
+            // Scientific notation has at least one digit after the point.
             low = false;
             high = false;
         }
@@ -166,7 +167,7 @@ public final class DoubleText {
         finish(exponent, low, high, Long.signum((remainder << 1) - tenUnits));
     }
 
-    /** Digit generation where the numbers do not fit into a long. */
+    /** Digit generation if the numbers do not fit into a long. */
     private void generateDigits(BigInteger rest, BigInteger unit, BigInteger gap, int estimate) {
         int exponent = estimate;
         BigInteger tenUnits = unit.multiply(BigInteger.TEN);
@@ -174,7 +175,7 @@ public final class DoubleText {
         BigInteger remainder = split[1].multiply(BigInteger.TEN);
         BigInteger halfGap = gap.multiply(BigInteger.TEN);
         boolean low = remainder.compareTo(halfGap) < 0;
-        // Only here does the bound itself count as within reach.
+        // Unlike in the version for longs, the bound itself is included.
         boolean high = remainder.add(halfGap).compareTo(tenUnits) >= 0;
         int digit = split[0].intValue();
         if (digit == 0 && !high) {
@@ -222,7 +223,10 @@ public final class DoubleText {
         }
     }
 
-    /** The decimal exponent of the first digit, or one more: a straight line through the logarithm. */
+    /**
+     * Estimates the decimal exponent of the first digit by a linear approximation of the logarithm; the result may be
+     * one too large.
+     */
     private static int estimatedDecimalExponent(long fraction, int usedBits, int exponent) {
         double significand = fraction / (double) (1L << usedBits - 1);
         return (int) Math.floor((significand - 1.5) * 0.289529654 + 0.176091259 + exponent * 0.301029995663981);
@@ -234,7 +238,7 @@ public final class DoubleText {
                 .shiftLeft(powerOf2);
     }
 
-    /** The older rule's own measure of a power's size; beyond its table three bits per factor. */
+    /** Number of bits of a power of 5, as the older rule computes it: three bits per factor beyond its table. */
     private static int bitsOfPowerOf5(int power) {
         return power < 27 ? Long.SIZE - Long.numberOfLeadingZeros(POWERS_OF_5[power]) : power * 3;
     }

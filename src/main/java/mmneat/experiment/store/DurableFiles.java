@@ -14,17 +14,17 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * Writes files whole or not at all: to a temporary name, synced to disk, renamed. A crash or a full disk at any moment
- * leaves the old file or the new one. Symbolic links are replaced, never written through.
+ * Writes files atomically: under a temporary name, synced to disk, then renamed. A crash or a full disk leaves either
+ * the old file or the new one. Symbolic links are replaced, never written through.
  */
 public final class DurableFiles {
 
-    /** What a file is called while it is being written; a leftover of a crash is overwritten by the next attempt. */
+    /** Suffix of a file while it is being written. The next attempt overwrites what a crash left behind. */
     static final String UNFINISHED = ".unfinished";
 
     private DurableFiles() {}
 
-    /** Makes a folder if it does not exist, also on the disk. */
+    /** Makes a folder if it does not exist, and syncs it. */
     public static void makeFolder(Path folder) throws IOException {
         if (!Files.isDirectory(folder)) {
             Files.createDirectories(folder);
@@ -40,8 +40,8 @@ public final class DurableFiles {
     }
 
     /**
-     * Writes a file that a user named: the file behind a symbolic link is replaced and the link stays; a device or a pipe, such
-     * as {@code /dev/stdout}, is written to.
+     * Writes a file that a user named: the file behind a symbolic link is replaced and the link stays; a device or a
+     * pipe, such as {@code /dev/stdout}, is written to.
      */
     public static void writeNamed(Path file, byte[] content) throws IOException {
         if (!Files.exists(file)) {
@@ -54,8 +54,8 @@ public final class DurableFiles {
     }
 
     /**
-     * Replaces a file at once, but leaves it to the operating system when it reaches the disk: the program may die at any
-     * moment, but after a failure of the power the file may be empty unless {@link #sync} was called.
+     * Replaces a file without syncing it. The file survives if the program is killed. After a power failure it may be
+     * empty, unless {@link #sync} was called.
      */
     static void replace(Path file, byte[] content) throws IOException {
         makeFolder(file.toAbsolutePath().getParent());
@@ -63,7 +63,7 @@ public final class DurableFiles {
         Files.move(unfinished, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     }
 
-    /** Waits until the files are on the disk, under their names. */
+    /** Syncs the files and their names to the disk. */
     public static void sync(Collection<Path> files) throws IOException {
         Set<Path> folders = new TreeSet<>();
         for (Path file : files) {
@@ -77,13 +77,13 @@ public final class DurableFiles {
         }
     }
 
-    /** Gives a file another name, also on the disk. */
+    /** Renames a file and syncs its folder. */
     static void rename(Path from, Path to) throws IOException {
         Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         sync(to.toAbsolutePath().getParent());
     }
 
-    /** Cuts a file at the length and adds to it; {@link #sync} puts it on the disk. */
+    /** Truncates a file to the length and appends to it, without syncing. */
     static void appendAt(Path file, long length, byte[] content) throws IOException {
         makeFolder(file.toAbsolutePath().getParent());
         try (FileChannel channel = FileChannel.open(
@@ -107,7 +107,7 @@ public final class DurableFiles {
                 channel.force(true);
             }
         } catch (IOException e) {
-            // On a full disk the part that was written takes space and is of no use.
+            // After a full disk the partial content is useless and takes space.
             Files.deleteIfExists(unfinished);
             throw e;
         }
@@ -121,7 +121,7 @@ public final class DurableFiles {
         }
     }
 
-    /** A rename is on disk when the folder is. Windows does not open folders and writes renames by itself. */
+    /** Syncs a folder, and with it the renames in it. Windows cannot open folders and syncs renames by itself. */
     private static void sync(Path folder) throws IOException {
         if (File.separatorChar == '/') {
             try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {

@@ -12,8 +12,9 @@ import mmneat.evolution.Individual;
 import mmneat.evolution.Task;
 
 /**
- * {@code generations.csv}: a line for each generation with the score by which champions are chosen (best, median and worst of
- * the parents), the best of each objective, and the size of the champion's network. It holds nothing that depends on time.
+ * The table {@code generations.csv}, one line per generation: the score by which champions are chosen (best, median and
+ * worst of the parents), the best of each objective, and the size of the champion's network. It contains nothing that
+ * depends on time.
  */
 public final class GenerationTable {
 
@@ -55,7 +56,7 @@ public final class GenerationTable {
         return line(fields);
     }
 
-    /** The champion scores of the parents, ascending. */
+    /** Returns the champion scores of the parents in ascending order. */
     public static double[] scores(Task task, Generation generation) {
         return generation.parents().stream()
                 .map(Individual::evaluation)
@@ -64,7 +65,7 @@ public final class GenerationTable {
                 .toArray();
     }
 
-    /** The median of ascending scores. */
+    /** Returns the median of scores in ascending order. */
     public static double median(double[] sorted) {
         int middle = sorted.length / 2;
         return sorted.length % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;

@@ -13,21 +13,21 @@ import mmneat.mspacman.TaskVersion;
 import pacman.game.GhostLocations;
 
 /**
- * The ghost locations of an isolated run, {@code ghost-locations.txt} in its folder: the run goes on with them wherever its folder is, and
- * whatever recording a later version of the program brings along.
+ * The copy of the ghost locations in the folder of an isolated run, {@code ghost-locations.txt}. With it the run
+ * continues unchanged if its folder is moved or a later version of the program ships another recording.
  */
 public final class GhostLocationsCopy {
 
     private GhostLocationsCopy() {}
 
-    /** The run's parameters; they name the run's own ghost locations as soon as it has them. */
+    /** Returns the run's parameters. They name the run's own copy if it exists. */
     public static Parameters parameters(Path directory, Parameters parameters) {
         return isNeeded(parameters) && Files.exists(file(directory))
                 ? parameters.with(Tasks.GHOST_LOCATIONS, file(directory))
                 : parameters;
     }
 
-    /** Gives the run its own ghost locations, unless it has them or needs none. */
+    /** Makes the run's copy, unless it exists or the run needs none. */
     public static void keep(Path directory, Parameters parameters) throws IOException {
         if (isNeeded(parameters) && !Files.exists(file(directory))) {
             String asked = parameters.text(Tasks.GHOST_LOCATIONS);
@@ -40,7 +40,7 @@ public final class GhostLocationsCopy {
     }
 
     /**
-     * Makes sure that the run was begun with the ghost locations that are asked for now, if it was begun and they can be read.
+     * Checks that the run was started with the requested ghost locations, if it was started and they can be read.
      *
      * @throws UserError if not
      */

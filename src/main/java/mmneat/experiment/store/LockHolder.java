@@ -11,19 +11,19 @@ import java.util.Optional;
 import java.util.UUID;
 
 /**
- * Who holds a lock.
+ * The process that holds a lock.
  *
  * @param host name of the computer
- * @param machine identity of the running system and its process numbers: two processes with the same one can see each
- *     other; differs between boots and between containers
- * @param pid number of the process
- * @param processStart when the process was started, to tell it from a later one with the same number
+ * @param machine identity of the running system and its process numbers. Processes with the same identity can see each
+ *     other. It differs between boots and between containers
+ * @param pid process id
+ * @param processStart when the process was started, to distinguish it from a later process with the same id
  * @param since when the lock was taken
  * @param token unique to this lock
  */
 record LockHolder(String host, String machine, long pid, Instant processStart, Instant since, String token) {
 
-    /** The operating system's times of starts may differ by rounding when it is asked again. */
+    /** The start time reported by the operating system may vary by rounding. */
     private static final Duration START_TOLERANCE = Duration.ofSeconds(5);
 
     /** This process. */
@@ -39,7 +39,7 @@ record LockHolder(String host, String machine, long pid, Instant processStart, I
                 UUID.randomUUID().toString());
     }
 
-    /** Whether the holder is a process that this one can look for. */
+    /** Whether both processes run on the same machine, so that one can see the other. */
     boolean isOn(LockHolder other) {
         return machine.equals(other.machine);
     }
@@ -49,7 +49,7 @@ record LockHolder(String host, String machine, long pid, Instant processStart, I
         return token.equals(other.token);
     }
 
-    /** Whether the process still runs; only asked where {@link #isOn} holds. */
+    /** Whether the process still runs. Call it only if {@link #isOn} is true. */
     boolean isRunning() {
         Optional<ProcessHandle> process = ProcessHandle.of(pid).filter(ProcessHandle::isAlive);
         return process.isPresent()
@@ -61,7 +61,7 @@ record LockHolder(String host, String machine, long pid, Instant processStart, I
                         .orElse(true);
     }
 
-    /** For messages. */
+    /** Returns a description for messages. */
     String describe() {
         return "process " + pid + " on " + host + ", since " + since.truncatedTo(java.time.temporal.ChronoUnit.SECONDS);
     }
@@ -70,7 +70,7 @@ record LockHolder(String host, String machine, long pid, Instant processStart, I
         try {
             return InetAddress.getLocalHost().getHostName();
         } catch (UnknownHostException e) {
-            // The computer does not know itself by name; the identity below still tells it from others.
+            // The host name is unknown; the identity below still distinguishes the machine from others.
             return "unknown host";
         }
     }
@@ -83,7 +83,7 @@ record LockHolder(String host, String machine, long pid, Instant processStart, I
         try {
             return Files.readString(Path.of(name)).strip();
         } catch (IOException e) {
-            // Not Linux: the host's name has to do.
+            // Not Linux: the host name is used.
             return "-";
         }
     }
@@ -92,7 +92,7 @@ record LockHolder(String host, String machine, long pid, Instant processStart, I
         try {
             return Files.readSymbolicLink(Path.of("/proc/self/ns/pid")).toString();
         } catch (IOException | UnsupportedOperationException e) {
-            // Not Linux: there are no separate numberings of processes to be told apart.
+            // Not Linux: there are no separate process namespaces.
             return "-";
         }
     }

@@ -18,19 +18,19 @@ import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
 /**
- * The files of one run, kept so that they always belong to a complete generation.
+ * The folder of one run. Its files always belong to a complete generation.
  *
- * <p>Files ({@link #write}) and rows of logs ({@link #append}) are held in memory and written together ({@link #flush}), just
- * before the checkpoint that records the lengths of the logs. After a crash the logs are cut back to the lengths in the
- * checkpoint ({@link #cutTo}), and later generations are evolved again.
+ * <p>Files ({@link #write}) and rows of logs ({@link #append}) are held in memory and written together ({@link
+ * #flush}), just before the checkpoint that records the lengths of the logs. After a crash the logs are cut back to the
+ * lengths in the checkpoint ({@link #cutTo}), and later generations are evolved again.
  *
- * <p>When the operating system puts it all on the disk is its own affair until {@link #sync}: waiting for a disk file by file
- * takes longer than many a generation. Until then {@link #unsynced} tells by checksums what a failure of the machine may lose.
+ * <p>Files are not synced to the disk before {@link #sync}, because syncing file by file takes longer than many a
+ * generation. Until then {@link #unsynced} records by checksums what a failure of the machine may lose.
  *
- * <p>Names are relative to the folder, with {@code /} between the parts, for example {@code bestPacMan/score.txt}; those of
- * the logs and score files start with {@link #prefix()}. Texts are written in UTF-8.
+ * <p>Names are relative to the folder, with {@code /} between the parts, for example {@code bestPacMan/score.txt};
+ * those of the logs and score files start with {@link #prefix()}. Texts are written in UTF-8.
  *
- * <p>A file that cannot be written is an {@link UncheckedIOException} (the disk is full, the folder is gone).
+ * <p>A file that cannot be written (the disk is full, the folder was deleted) causes an {@link UncheckedIOException}.
  */
 public final class RunFolder {
 
@@ -46,12 +46,12 @@ public final class RunFolder {
 
     private final UnsyncedFiles unsynced;
 
-    /** Files that are written again from the checkpoint when a run is continued; synced when it is complete. */
-    private final Set<Path> remakeable = new TreeSet<>();
+    /** Files that a continued run writes again from the checkpoint. They are synced when the run is complete. */
+    private final Set<Path> derived = new TreeSet<>();
 
     /**
      * @param directory the run's folder
-     * @param prefix what the names of score files and logs start with: {@code <log><run>_}
+     * @param prefix prefix of the names of score files and logs: {@code <log><run>_}
      */
     public RunFolder(Path directory, String prefix) {
         this.directory = directory;
@@ -64,7 +64,7 @@ public final class RunFolder {
         return directory;
     }
 
-    /** What the names of score files and logs start with, such as {@code blended-2M0_}. */
+    /** Prefix of the names of score files and logs, such as {@code blended-2M0_}. */
     public String prefix() {
         return prefix;
     }
@@ -80,10 +80,10 @@ public final class RunFolder {
     }
 
     /**
-     * Writes a file at the next {@link #flush}, replacing it if it exists. A file that is written several times before that is
-     * made once, with its last content.
+     * Writes a file at the next {@link #flush}, replacing it if it exists. A file that is written several times before
+     * that is made once, with its last content.
      *
-     * @param content makes the content, for example from an immutable genotype
+     * @param content produces the content, for example from an immutable genotype
      */
     public void write(String name, Supplier<byte[]> content) {
         heldFiles.put(name, content);
@@ -93,9 +93,9 @@ public final class RunFolder {
      * Writes a file that follows from the checkpoint alone, replacing it if it exists. A continued run has to write it
      * again.
      */
-    public void writeRemakeable(String name, String content) {
+    public void writeDerived(String name, String content) {
         replace(name, content.getBytes(StandardCharsets.UTF_8));
-        remakeable.add(directory.resolve(name));
+        derived.add(directory.resolve(name));
     }
 
     private void replace(String name, byte[] content) {
@@ -106,12 +106,12 @@ public final class RunFolder {
         }
     }
 
-    /** Adds text to a log; it stands in the file after the next {@link #flush}. */
+    /** Appends text to a log. The next {@link #flush} writes it to the file. */
     public void append(String name, String text) {
         held.computeIfAbsent(name, key -> new StringBuilder()).append(text);
     }
 
-    /** The names of the folders in it, in no order. */
+    /** Returns the names of the subfolders, in no particular order. */
     public List<String> folders() {
         try (Stream<Path> entries = Files.list(directory)) {
             return entries.filter(entry -> Files.isDirectory(entry, LinkOption.NOFOLLOW_LINKS))
@@ -122,7 +122,7 @@ public final class RunFolder {
         }
     }
 
-    /** Deletes a folder of the run with the files in it, if it is there. */
+    /** Deletes a subfolder with its files, if it exists. */
     public void deleteFolder(String name) {
         heldFiles.keySet().removeIf(file -> file.startsWith(name + "/"));
         Path folder = directory.resolve(name);
@@ -134,7 +134,7 @@ public final class RunFolder {
                     entries.sorted(Comparator.reverseOrder()).toList();
             for (Path entry : innermostFirst) {
                 Files.delete(entry);
-                remakeable.remove(entry);
+                derived.remove(entry);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -143,7 +143,7 @@ public final class RunFolder {
     }
 
     /**
-     * Writes all files and all added text of logs that are held in memory.
+     * Writes all files and all appended text of logs that are held in memory.
      *
      * @return the length in bytes of every log, for {@link #cutTo}
      */
@@ -158,7 +158,7 @@ public final class RunFolder {
             byte[] content = text.toString().getBytes(StandardCharsets.UTF_8);
             long length = lengths.getOrDefault(name, 0L);
             try {
-                // A log that no checkpoint knows is what a crash left: it starts again.
+                // A log unknown to the checkpoint was left by a crash: it is overwritten.
                 DurableFiles.appendAt(directory.resolve(name), length, content);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
@@ -170,12 +170,15 @@ public final class RunFolder {
         return Map.copyOf(lengths);
     }
 
-    /** What may not be on the disk yet, besides what can be made again; changes with every call that writes. */
+    /**
+     * Returns what may not be on the disk yet, except files that can be made again. It changes with every call that
+     * writes.
+     */
     public UnsyncedFiles unsynced() {
         return unsynced;
     }
 
-    /** Waits until everything is on the disk that cannot be made again from a checkpoint. */
+    /** Syncs everything that cannot be made again from a checkpoint. */
     public void sync() {
         try {
             unsynced.sync();
@@ -184,19 +187,19 @@ public final class RunFolder {
         }
     }
 
-    /** Waits until everything is on the disk. */
+    /** Syncs everything. */
     public void syncAll() {
         sync();
         try {
-            DurableFiles.sync(remakeable);
+            DurableFiles.sync(derived);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        remakeable.clear();
+        derived.clear();
     }
 
     /**
-     * Cuts the logs back to what they were when {@link #flush} returned these lengths.
+     * Truncates the logs to these lengths, which {@link #flush} returned.
      *
      * @throws UserError if a log is shorter
      */

@@ -10,10 +10,10 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The files of a run's folder: their names and the columns of their tables, ours and the original's.
+ * The names of the files in a run's folder and the columns of their tables, ours and the original's.
  *
- * <p>Names are relative to the folder, with {@code /} between the parts. A prefix is what the names of a run's score files and
- * logs start with, {@code <log><run>_}. Columns are counted from 1.
+ * <p>Names are relative to the folder, with {@code /} between the parts. The names of a run's score files and logs
+ * start with a prefix, {@code <log><run>_}. Columns are counted from 1.
  *
  * <p>Source: docs/specification/evolution.md, sections 5 to 7, for the original's files.
  */
@@ -25,10 +25,10 @@ public final class RunLayout {
     /** The ghost locations of an isolated run. */
     public static final String GHOST_LOCATIONS = "ghost-locations.txt";
 
-    /** How far the run is. */
+    /** The progress of the run. */
     public static final String STATUS = "status.json";
 
-    /** The process that works at the run. */
+    /** The lock: the process that works on the run. */
     public static final String LOCK = "lock.json";
 
     /** The newest checkpoint. */
@@ -40,10 +40,10 @@ public final class RunLayout {
     /** The champion of the last generation. */
     public static final String CHAMPION = "champion.json";
 
-    /** A row for each generation, below a header. */
+    /** One row per generation, below a header. */
     public static final String GENERATIONS = "generations.csv";
 
-    /** The columns of {@link #GENERATIONS} that every task has; those of the best scores in its objectives follow. */
+    /** The columns of {@link #GENERATIONS} for every task; the best scores in its objectives follow. */
     public static final List<String> GENERATIONS_COLUMNS =
             List.of("generation", "best", "median", "worst", "champion", "modules", "neurons", "links", "steps");
 
@@ -56,7 +56,7 @@ public final class RunLayout {
     /** The archetype. */
     public static final String ARCHETYPE = "archetype0.xml";
 
-    /** The archetype's neurons that crossover takes for one. */
+    /** The neurons of the archetype with their shadows. */
     public static final String CROSSOVER_MAPPING = "combiningCrossoverMapping.txt";
 
     /** The logs of parents and children. */
@@ -75,7 +75,10 @@ public final class RunLayout {
 
     private static final int COLUMNS_PER_PROPERTY = 4;
 
-    /** The property of {@link #PARENTS} by whose maximum champions are chosen: the mean game score, behind two objectives. */
+    /**
+     * The property of {@link #PARENTS} by whose maximum champions are chosen: the mean game score, behind two
+     * objectives.
+     */
     private static final int CHAMPION_SCORE = 2;
 
     private static final String ORIGINAL_PARAMETERS = "_parameters.txt";
@@ -131,8 +134,8 @@ public final class RunLayout {
     }
 
     /**
-     * Whether a file or folder of this name, in a run's folder, may be what a run of this program or of the original left; but
-     * for the lock and the status, which are there before the first checkpoint.
+     * Whether a run of this program or of the original may have written a file or folder with this name. The lock and
+     * the status do not count, because they exist before the first checkpoint.
      */
     static boolean isNamedAsOfARun(String name) {
         return !List.of(LOCK, STATUS).contains(name)
@@ -156,9 +159,9 @@ public final class RunLayout {
     }
 
     /**
-     * The length of the longest name that a file may have behind its prefix, in characters, all of one byte.
+     * Returns the length of the longest file name after its prefix, in characters of one byte each.
      *
-     * @param generations number of generations that the run has
+     * @param generations number of generations of the run
      */
     public static int longestEnding(int generations) {
         return Stream.of(
@@ -181,12 +184,15 @@ public final class RunLayout {
         return "evaluation-" + rules + ".json";
     }
 
-    /** The games of the champion's evaluation by these rules, a line for each. */
+    /** The games of the champion's evaluation by these rules, one line per game. */
     public static String evaluationGames(String rules) {
         return "evaluation-" + rules + ".csv";
     }
 
-    /** First column of a property, counted from 0, in a log of a population: minimum, mean, maximum and deviation follow. */
+    /**
+     * First column of a property, counted from 0, in a log of a population: minimum, mean, maximum and deviation
+     * follow.
+     */
     public static int firstColumn(int property) {
         return 2 + COLUMNS_PER_PROPERTY * property;
     }
@@ -201,7 +207,10 @@ public final class RunLayout {
         return 1 + GENERATIONS_COLUMNS.indexOf("best");
     }
 
-    /** The log of {@link #PARENTS} in a folder, whatever its prefix; logs over all runs have no number before it. */
+    /**
+     * Finds the log of {@link #PARENTS} in a folder, with any prefix. Logs over all runs have no run number in their
+     * names.
+     */
     public static Optional<Path> parentsLogIn(Path folder) {
         Pattern name = Pattern.compile(".*\\d" + Pattern.quote("_" + log("", PARENTS)));
         return firstIn(folder, name);
@@ -231,12 +240,12 @@ public final class RunLayout {
                 .findFirst();
     }
 
-    /** Whether a file has the name of the champion in the original's form, wherever it is. */
+    /** Whether a file, in any folder, has the name of the champion in the original's form. */
     public static boolean isNamedAsOriginalChampion(Path file) {
         return Path.of(ORIGINAL_CHAMPION).endsWith(file.getFileName());
     }
 
-    /** Whether a file has the name of a champion, ours or the original's, wherever it is. */
+    /** Whether a file, in any folder, has the name of a champion, ours or the original's. */
     public static boolean isNamedAsChampion(Path file) {
         return file.endsWith(CHAMPION) || isNamedAsOriginalChampion(file);
     }

@@ -22,31 +22,32 @@ import java.util.concurrent.TimeUnit;
 import mmneat.evolution.DaemonThreads;
 
 /**
- * One process at a time works in a run's folder.
+ * The lock of a run's folder, which allows one process at a time to work in it.
  *
- * <p>The lock is a file, {@code lock.json}, that says who holds it. It works on shared file systems without advisory locking:
- * it needs nothing but that creating a file fails if the file exists. While a process holds it, it touches the file every
- * few seconds; the time of the last touch is its sign of life.
+ * <p>The lock is a file, {@code lock.json}, that names its holder. It works on shared file systems without advisory
+ * locking: it only requires that creating a file fails if the file exists. The holder touches the file every few
+ * seconds; the time of the last touch is its sign of life.
  *
- * <p>A lock is dead, and taken over, if its holder was on this machine and no longer runs; or if it was on another machine
- * and its sign of life is old and does not change while we watch (so that clocks that differ do no harm). A holder whose
- * lock was taken over notices before it writes again ({@link #requireHeld}).
+ * <p>A lock is dead, and can be taken over, in two cases: its holder ran on this machine and no longer runs; or its
+ * holder is on another machine, and its sign of life is old and does not change while it is watched. Watching makes
+ * differing clocks harmless. A holder whose lock was taken over detects this before it writes again ({@link
+ * #requireHeld}).
  */
 public final class RunLock implements AutoCloseable {
 
     /**
-     * How long things take.
+     * The time limits of the lock.
      *
      * @param touch time between two signs of life
-     * @param silence age of a sign of life from which on the holder may be dead
-     * @param watch how long an old sign of life is then watched; longer than {@code touch}
+     * @param silence age of a sign of life above which the holder may be dead
+     * @param watch how long an old sign of life is watched for a change; longer than {@code touch}
      */
     public record Timing(Duration touch, Duration silence, Duration watch) {
         public static final Timing USUAL =
                 new Timing(Duration.ofSeconds(5), Duration.ofSeconds(60), Duration.ofSeconds(15));
     }
 
-    /** The folder is locked by another process. */
+    /** Thrown when the folder is locked by another process. */
     public static final class HeldException extends Exception {
         private static final long serialVersionUID = 1;
 
@@ -67,14 +68,14 @@ public final class RunLock implements AutoCloseable {
     }
 
     /**
-     * A lock as it can be read from outside.
+     * The lock file as another process reads it.
      *
-     * @param holder empty if the file is unreadable: it was just being written, or its writer died
-     * @param signOfLife when the file was touched last
+     * @param holder empty if the file is incomplete: it is just being written, or its writer died
+     * @param signOfLife when the file was last touched
      */
     record Sighting(Optional<LockHolder> holder, Instant signOfLife) {
 
-        /** Whether the holder seems to work: it runs on this machine, or was heard of lately. */
+        /** Whether the holder seems to be alive: it runs on this machine, or its sign of life is recent. */
         boolean seemsAlive(Instant now, Timing timing) {
             return holder.filter(who -> who.isOn(LockHolder.self()))
                     .map(LockHolder::isRunning)
@@ -92,7 +93,7 @@ public final class RunLock implements AutoCloseable {
     private final LockHolder self;
     private final ScheduledExecutorService heart;
 
-    /** Why the last touch that failed did; null if none did. */
+    /** The failure of the last touch that failed; null if none failed. */
     private volatile IOException touchFailure;
 
     private RunLock(Path file, LockHolder self, Timing timing) {
@@ -120,7 +121,7 @@ public final class RunLock implements AutoCloseable {
         return new RunLock(file, self, timing);
     }
 
-    /** The holder of a folder's lock; empty if the folder is not locked. */
+    /** Reads the lock of a folder; empty if the folder is not locked. */
     static Optional<Sighting> look(Path directory) throws IOException {
         Path file = file(directory);
         SymbolicLinks.refuse(file);
@@ -133,7 +134,7 @@ public final class RunLock implements AutoCloseable {
     }
 
     /**
-     * Makes sure that the lock was not taken over.
+     * Checks that the lock was not taken over.
      *
      * @throws HeldException if it was
      */
@@ -151,7 +152,7 @@ public final class RunLock implements AutoCloseable {
         }
     }
 
-    /** Gives the lock back. */
+    /** Releases the lock. */
     @Override
     public void close() throws IOException {
         heart.shutdownNow();
@@ -175,9 +176,9 @@ public final class RunLock implements AutoCloseable {
     }
 
     /**
-     * Makes the file, if it is not there, and fills it.
+     * Creates the file with this content, unless it exists.
      *
-     * @return false if it is there
+     * @return false if the file exists
      */
     static boolean create(Path file, Content content) throws IOException {
         OutputStream created;
@@ -190,7 +191,7 @@ public final class RunLock implements AutoCloseable {
             content.writeTo(created);
             return true;
         } catch (IOException e) {
-            // On a full disk there is room for the name alone: a lock without a holder would lock the run forever.
+            // A full disk may have room for the name only. A lock without a holder would lock the run forever.
             try {
                 Files.deleteIfExists(file);
             } catch (IOException second) {
@@ -223,8 +224,8 @@ public final class RunLock implements AutoCloseable {
     }
 
     /**
-     * Takes a dead lock away. Two processes may find the same lock dead; the slower one may then have moved the faster one's
-     * new lock, and puts it back.
+     * Removes a dead lock. If two processes find the same lock dead, the slower one may move the new lock of the faster
+     * one; it then moves it back.
      */
     private static void remove(Path file, Sighting dead, LockHolder self) throws IOException {
         Path aside = file.resolveSibling("lock-" + self.token() + ".dead");
@@ -254,7 +255,7 @@ public final class RunLock implements AutoCloseable {
                 | JsonProcessingException
                 | IllegalArgumentException
                 | java.time.DateTimeException e) {
-            // Just being written, or half written by a process that died: its age alone will tell.
+            // The file is just being written, or its writer died: only its age can decide.
             return Optional.empty();
         }
     }
@@ -272,12 +273,12 @@ public final class RunLock implements AutoCloseable {
 
     private void touch() {
         try {
-            // Another's lock must die with its holder.
+            // The lock of another process must keep its time of last touch.
             if (read(file).filter(self::equalsToken).isPresent()) {
                 Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
             }
         } catch (IOException e) {
-            // The lock is gone or the file system is away for a moment: requireHeld, asked before each write, tells.
+            // The lock is gone or the file system is temporarily unavailable: requireHeld detects it before each write.
             touchFailure = e;
         }
     }

@@ -22,8 +22,8 @@ import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * {@code parameters.properties} in a run's folder: everything that is needed to make the run again, readable as
- * {@code config=FILE}.
+ * The file {@code parameters.properties} in a run's folder. It has all values needed to repeat the run and can be used
+ * as {@code config=FILE}.
  */
 public final class RunParametersFile {
 
@@ -31,7 +31,7 @@ public final class RunParametersFile {
     private static final Set<String> NOT_OF_THE_RUN =
             Set.of("runs", "run", "config", "quiet", "threads", "checkpointEvery");
 
-    /** What may differ when a run is continued: where things are, and how far it goes. */
+    /** The parameters that may differ when a run is continued: paths and the number of generations. */
     private static final Set<String> MAY_CHANGE =
             Set.of("base", "saveTo", "jar", Tasks.GHOST_LOCATIONS, "maxGens", "method", "stopAt", "keepScores");
 
@@ -58,7 +58,7 @@ public final class RunParametersFile {
     /**
      * All values by name.
      *
-     * @throws UserError if they cannot be read, or the number of the run is none
+     * @throws UserError if they cannot be read, or the run number is not a number
      */
     Map<String, String> read() {
         SymbolicLinks.refuse(file);
@@ -68,7 +68,7 @@ public final class RunParametersFile {
     }
 
     /**
-     * Makes sure that the run was begun with the same parameters.
+     * Checks that the run was started with the same parameters.
      *
      * @throws UserError if not, naming those that differ
      */
@@ -81,7 +81,7 @@ public final class RunParametersFile {
         for (String name : names) {
             String before = saved.get(name);
             String value = asked.get(name);
-            // A name of the catalogue that one side lacks is that of an older or newer program, or has no effect.
+            // A parameter of the catalogue that one side lacks belongs to an older or newer version, or has no effect.
             boolean isComparable = before != null && value != null
                     || parameters.catalogue().find(name).isEmpty();
             if (isComparable && !Objects.equals(before, value) && !MAY_CHANGE.contains(name)) {
@@ -96,7 +96,8 @@ public final class RunParametersFile {
     }
 
     /**
-     * Every value that has an effect. The method's name, which the other values amount to, is left out unless it was given.
+     * Returns every value that has an effect. The name of the method is left out unless it was given, because it
+     * follows from the other values.
      */
     private static Map<String, String> values(Parameters parameters) {
         Map<String, String> values = new LinkedHashMap<>();

@@ -13,16 +13,16 @@ import java.time.Instant;
 import java.util.Optional;
 
 /**
- * The progress of a run, as written to its file {@code status.json} for readers outside. Nothing is resumed from it.
+ * The progress of a run, written to {@code status.json} for other programs. Nothing is resumed from it.
  *
  * @param state what the run was doing when it wrote this
- * @param generation generations that are complete
- * @param generations generations that are asked for
+ * @param generation number of complete generations
+ * @param generations number of requested generations
  * @param best score of the champion of the last complete generation; NaN before the first
  * @param median median score of that generation's parents; NaN before the first
- * @param stepsPerSecond simulated time steps per second of this process's work; 0 before the first generation
- * @param secondsPerGeneration of this process; 0 before the first generation
- * @param message why it failed; null otherwise
+ * @param stepsPerSecond simulated time steps per second of this process; 0 before the first generation
+ * @param secondsPerGeneration seconds per generation of this process; 0 before the first generation
+ * @param message why the run failed; null if it did not fail
  */
 @JsonInclude(JsonInclude.Include.NON_NULL)
 public record RunStatus(
@@ -35,7 +35,7 @@ public record RunStatus(
         double secondsPerGeneration,
         String message) {
 
-    /** What a run was doing. */
+    /** The activity of a run. */
     public enum State {
         RUNNING,
         FINISHED,
@@ -46,13 +46,13 @@ public record RunStatus(
             .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
             .build();
 
-    /** The status in a run's folder; empty if there is none that can be read. */
+    /** Reads the status in a run's folder; empty if there is no readable status. */
     public static Optional<RunStatus> read(Path directory) throws IOException {
         SymbolicLinks.refuse(file(directory));
         try {
             return Optional.ofNullable(JSON.readValue(Files.readAllBytes(file(directory)), RunStatus.class));
         } catch (NoSuchFileException | JsonProcessingException e) {
-            // Not begun, or not a file of ours: the run's checkpoint counts, not this file.
+            // The run was not started, or the file is not ours. The run's checkpoint counts, not this file.
             return Optional.empty();
         }
     }
@@ -60,24 +60,24 @@ public record RunStatus(
     public void write(Path directory) throws IOException {
         byte[] json = JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(this);
         if (state == State.RUNNING) {
-            // The next one is soon there.
+            // The next status is written soon.
             DurableFiles.replace(file(directory), json);
         } else {
             DurableFiles.write(file(directory), json);
         }
     }
 
-    /** The status of a run that had come so far and then failed. */
+    /** Returns this status, with the run failed. */
     public RunStatus failed(int wanted, String why) {
         return new RunStatus(State.FAILED, generation, wanted, best, median, stepsPerSecond, secondsPerGeneration, why);
     }
 
-    /** When the status of a run was written last. */
+    /** Returns when the status of a run was last written. */
     static Instant lastWritten(Path directory) throws IOException {
         return Files.getLastModifiedTime(file(directory)).toInstant();
     }
 
-    /** Whether the generations that are wanted are all complete. */
+    /** Whether all requested generations are complete. */
     public boolean isFinished(int wanted) {
         return state == State.FINISHED && generation >= wanted;
     }

@@ -9,15 +9,15 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The state of a run as its files show it, whether a process works on it or not.
+ * The state of a run, read from its files, whether or not a process works on it.
  *
  * @param directory the run's folder
  * @param experiment name of the experiment, for instance {@code blended-2M}
  * @param number number of the run
- * @param state what it is doing
- * @param status how far it is; null if it has not begun
- * @param signOfLife when the lock was touched last; null if the run is not locked
- * @param estimatedEnd when it will be done; null if that is not known
+ * @param state its current state
+ * @param status its progress; null if it was not started
+ * @param signOfLife when the lock was last touched; null if the run is not locked
+ * @param estimatedEnd when it will end; null if that is unknown
  */
 public record RunView(
         Path directory,
@@ -28,19 +28,19 @@ public record RunView(
         Instant signOfLife,
         Instant estimatedEnd) {
 
-    /** What a run is doing. */
+    /** The current state of a run. */
     public enum State {
         FINISHED,
-        /** A process works at it. */
+        /** A process works on it. */
         RUNNING,
-        /** It was begun and no process works on it: the same command continues it. */
+        /** It was started and no process works on it. The same command continues it. */
         INTERRUPTED,
         FAILED,
-        /** It was asked for and has not begun. */
+        /** It was requested and not yet started. */
         WAITING
     }
 
-    /** A run that has not begun. */
+    /** Returns the view of a run that was not started. */
     public static RunView waiting(Path directory, String experiment, int number) {
         return new RunView(directory, experiment, number, State.WAITING, null, null, null);
     }

@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
 /**
- * The rule that no file of a run is read or written through a symbolic link, as the folder may come from someone else. The
- * folder itself may be a link: it is the user who names it.
+ * The rule that no file of a run is read or written through a symbolic link, because the folder may come from another
+ * person. The folder itself may be a link, because the user names it.
  */
 public final class SymbolicLinks {
 
@@ -21,7 +21,7 @@ public final class SymbolicLinks {
     private SymbolicLinks() {}
 
     /**
-     * Makes sure that a file of a run, if it exists, is no link.
+     * Checks that a file of a run, if it exists, is not a symbolic link.
      *
      * @throws UserError if it is one
      */
@@ -34,7 +34,7 @@ public final class SymbolicLinks {
     }
 
     /**
-     * Makes sure that the folder of a run, if it exists, holds no links.
+     * Checks that the folder of a run, if it exists, contains no symbolic links.
      *
      * @throws UserError naming the first link
      */

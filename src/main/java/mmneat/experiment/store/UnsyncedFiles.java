@@ -13,8 +13,8 @@ import java.util.TreeMap;
 import java.util.zip.CRC32C;
 
 /**
- * What was written into a run's folder since it was last synced to the disk: if the machine fails, as against the program,
- * the operating system may have lost any of it. Checksums tell whether it is still there.
+ * The parts of a run's files that were written since the last sync. They survive a crash of the program, but a failure
+ * of the machine may lose any of them. Checksums detect whether they are intact.
  */
 public final class UnsyncedFiles {
 
@@ -33,7 +33,7 @@ public final class UnsyncedFiles {
      * A stretch of a file.
      *
      * @param from index of its first byte
-     * @param to index of the first byte behind it
+     * @param to index of the byte after its last one
      * @param checksum its CRC-32C
      */
     public record Stretch(long from, long to, long checksum) {
@@ -59,7 +59,7 @@ public final class UnsyncedFiles {
         }
     }
 
-    /** A stretch that is added to. */
+    /** A stretch that grows. */
     private static final class Growing {
         private final CRC32C sum = new CRC32C();
         private final long from;
@@ -76,7 +76,7 @@ public final class UnsyncedFiles {
         }
     }
 
-    /** Whether all stretches are on the disk as they were written. */
+    /** Whether all stretches are in the folder as they were written. */
     static boolean areIntact(Path directory, Map<String, Stretch> stretches) throws IOException {
         for (Map.Entry<String, Stretch> stretch : stretches.entrySet()) {
             if (!stretch.getValue().isIntactIn(directory.resolve(stretch.getKey()))) {
@@ -86,36 +86,36 @@ public final class UnsyncedFiles {
         return true;
     }
 
-    /** Notes that a file was written anew. */
+    /** Records that a file was replaced. */
     void replaced(String name, byte[] content) {
         Growing file = new Growing(0);
         file.add(content);
         files.put(name, file);
     }
 
-    /** Notes that a file, which was so long, got longer. */
+    /** Records that a file of this length was appended to. */
     void appended(String name, long length, byte[] content) {
         files.computeIfAbsent(name, unused -> new Growing(length)).add(content);
     }
 
-    /** Notes that a folder was deleted with what was in it. */
+    /** Records that a folder was deleted with its files. */
     void deletedFolder(String name) {
         files.keySet().removeIf(file -> file.startsWith(name + "/"));
     }
 
-    /** How many files wait to be synced. */
+    /** Number of files that are not synced. */
     public int count() {
         return files.size();
     }
 
-    /** What waits to be synced, by the name of the file. */
+    /** Returns the stretches that are not synced, by the name of the file. */
     public SortedMap<String, Stretch> stretches() {
         SortedMap<String, Stretch> stretches = new TreeMap<>();
         files.forEach((name, file) -> stretches.put(name, new Stretch(file.from, file.to, file.sum.getValue())));
         return stretches;
     }
 
-    /** Waits until everything is on the disk. */
+    /** Syncs all files to the disk. */
     void sync() throws IOException {
         DurableFiles.sync(files.keySet().stream().map(directory::resolve).toList());
         files.clear();

@@ -1,5 +1,5 @@
 /**
- * The folder of a run: its files, written so that they always belong to a complete generation, its checkpoints, its lock and its
+ * The folder of a run: its files, which always belong to a complete generation, its checkpoints, its lock and its
  * status.
  */
 package mmneat.experiment.store;

@@ -75,7 +75,7 @@ class RunFolderTest {
         folder.write("gen1/a.xml", "x");
         folder.write("gen10/a.xml", "x");
         folder.flush();
-        folder.writeRemakeable("gen1/b.xml", "x");
+        folder.writeDerived("gen1/b.xml", "x");
         folder.deleteFolder("gen1");
         assertThat(folder.unsynced().stretches()).containsOnlyKeys("gen10/a.xml");
         folder.syncAll();
