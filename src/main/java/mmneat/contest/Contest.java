@@ -15,15 +15,15 @@ import pacman.GameSeries;
 import pacman.game.Game;
 
 /**
- * Plays the games of a contest, one after the other. The same settings give the same games, unless a controller has a generator
- * of its own or looks at the clock.
+ * A contest between two controllers: plays its games one after the other. The same settings give the same games, unless
+ * a controller uses its own random generator or the clock.
  */
 public final class Contest {
 
     private static final int PROGRESS_SECONDS = 5;
     private static final long STALL_MILLISECONDS = 10_000;
 
-    /** Lines of a stack trace that are shown; one of endless recursion has a thousand. */
+    /** Maximum number of printed lines of a stack trace; endless recursion produces a thousand. */
     private static final int TRACE_LINES = 25;
 
     private static final Pattern OUR_FRAME = Pattern.compile(
@@ -34,18 +34,20 @@ public final class Contest {
     private final ContestTally tally = new ContestTally();
     private long nextProgress;
 
-    /** @param notes gets progress, and the failures of controllers as they occur */
+    /**
+     * @param notes receives progress and the failures of controllers
+     */
     public Contest(ContestSettings settings, PrintWriter notes) {
         this.settings = settings;
         this.notes = notes;
     }
 
     /**
-     * Plays.
+     * Plays all games.
      *
-     * @param afterStep called after each step with the game; not in untimed games that are shown
-     * @param ended called with what was reached if the program is ended while the games are played, in the shutdown of the program
-     * @return the result; fewer games than wanted if a failure stopped the contest
+     * @param afterStep called with the game after each step, except in untimed games that are shown
+     * @param ended called with the result so far, in a shutdown hook, if the program is ended during the games
+     * @return the result; it has fewer games than requested if a failure stopped the contest
      */
     public ContestResult play(Consumer<Game> afterStep, Consumer<ContestResult> ended) {
         AtomicInteger playing = new AtomicInteger(1);
@@ -83,7 +85,7 @@ public final class Contest {
         outcome.timed().ifPresent(tally::addTimed);
         outcome.failure().ifPresent(this::noteFailure);
         boolean failed = outcome.failure().isPresent();
-        // A timed game goes on when a controller fails: to stop there, the game has ended.
+        // A timed game continues when a controller fails, so the contest stops after the game.
         if (!failed || settings.onFailure() == OnFailure.STOP && outcome.isFinished()) {
             tally.addGame(outcome.score(), outcome.steps());
         } else if (settings.onFailure() == OnFailure.SCORE0) {
@@ -94,20 +96,20 @@ public final class Contest {
     private void noteFailure(GameFailure failure) {
         tally.addFailure(failure);
         if (failure.thrown().isEmpty() && settings.onFailure() == OnFailure.STOP) {
-            // The end of the contest says all of it.
+            // The message at the end of the contest contains the whole stack trace.
             return;
         }
         String what =
                 failure.thrown().isPresent() ? failure.controller() + " threw an exception" : failure.sentence() + ",";
         notes.println("mmneat: " + what + " " + failure.place());
         if (settings.timing() == Timing.NONE) {
-            // In a timed game Java has printed it, from the controller's thread.
+            // In a timed game Java has already printed it in the controller's thread.
             failure.thrown().map(Contest::trace).ifPresent(notes::println);
         }
         notes.flush();
     }
 
-    /** The stack trace without the frames of this program that lead to the controller. */
+    /** Returns the stack trace without this program's frames that lead to the controller. */
     private static String trace(Throwable thrown) {
         StringWriter text = new StringWriter();
         thrown.printStackTrace(new PrintWriter(text, true));

@@ -7,13 +7,13 @@ import mmneat.contest.ContestResult.Punctuality;
 import mmneat.contest.ContestResult.Repetition;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 
-/** The lines that tell the result of a contest. */
+/** Formats the result of a contest as lines of text. */
 public final class ContestReport {
 
     private ContestReport() {}
 
     /**
-     * The lines; none if no game counts.
+     * Returns the lines; empty if no game counts.
      *
      * @param rulesName name of the rules
      * @param seconds wall-clock time of the games

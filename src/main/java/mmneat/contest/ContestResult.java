@@ -5,14 +5,14 @@ import java.util.Optional;
 import pacman.TimedReport;
 
 /**
- * What the games of a contest came to, so far.
+ * The result of the games of a contest played so far.
  *
  * @param scores scores of the games that count, in the order of the games
- * @param steps steps of the games that count together
+ * @param steps total steps of the games that count
  * @param pacMan punctuality of Ms. Pac-Man's side over all timed games
  * @param ghosts punctuality of the ghosts' side over all timed games
  * @param failures games in which a controller failed
- * @param repetition what came of playing a game again; empty if none was
+ * @param repetition the game that was played again; empty if none was
  */
 public record ContestResult(
         List<Integer> scores,
@@ -26,9 +26,9 @@ public record ContestResult(
      * Punctuality of a side over several timed games.
      *
      * @param steps steps played
-     * @param lateAnswers answers that came after the step for which they were wanted
-     * @param exceptions decisions that threw, at most one per game
-     * @param repeatedMoves steps played by an answer of before, or by none
+     * @param lateAnswers answers that came after their step
+     * @param exceptions decisions that threw an exception, at most one per game
+     * @param repeatedMoves steps that used an earlier answer or none
      */
     public record Punctuality(long steps, long lateAnswers, long exceptions, long repeatedMoves) {
         static final Punctuality NONE = new Punctuality(0, 0, 0, 0);
@@ -43,7 +43,7 @@ public record ContestResult(
     }
 
     /**
-     * A game that was played twice with new controllers.
+     * A game that was played twice, with new controllers each time.
      *
      * @param game number of the game, from 1
      * @param score its score
@@ -52,7 +52,7 @@ public record ContestResult(
      * @param stepsAgain its steps when played again
      */
     public record Repetition(int game, int score, int steps, Optional<Integer> scoreAgain, int stepsAgain) {
-        /** Whether both games came to the same. */
+        /** Whether both games had the same score and steps. */
         public boolean isSame() {
             return scoreAgain.filter(again -> again == score).isPresent() && stepsAgain == steps;
         }

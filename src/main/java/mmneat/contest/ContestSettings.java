@@ -7,18 +7,18 @@ import pacman.game.Constants.MOVE;
 import pacman.game.GameRules;
 
 /**
- * What a contest is.
+ * The settings of a contest.
  *
  * @param pacMan Ms. Pac-Man's side
  * @param ghosts the ghosts' side
  * @param rules of all games
  * @param games number of games, at least 1
- * @param seed seed of the games' seeds
- * @param timing how long the controllers may take
- * @param moveLimit an untimed game fails when it does not go on for so long; null for no limit
+ * @param seed seed from which the games' seeds are drawn
+ * @param timing the time limit of controllers
+ * @param moveLimit an untimed game fails if it makes no step for this long; null for no limit
  * @param isShown whether the games are shown in a window
- * @param onFailure what becomes of a game in which a controller failed
- * @param isRepeated whether the first finished game is played again to see whether it scores the same
+ * @param onFailure what to do with a game in which a controller failed
+ * @param isRepeated whether the first finished game is played again to compare the scores
  */
 public record ContestSettings(
         Contestant<MOVE> pacMan,

@@ -7,7 +7,7 @@ import mmneat.contest.ContestResult.Punctuality;
 import mmneat.contest.ContestResult.Repetition;
 import pacman.TimedReport;
 
-/** The result of a contest as it grows. Thread-safe: a shutdown hook reads what the playing thread writes. */
+/** The growing result of a contest. Thread-safe: the playing thread writes it, and a shutdown hook may read it. */
 final class ContestTally {
 
     private final List<Integer> scores = new ArrayList<>();
@@ -17,7 +17,7 @@ final class ContestTally {
     private Punctuality ghosts = Punctuality.NONE;
     private Repetition repetition;
 
-    /** A game that counts. */
+    /** Adds a game that counts. */
     synchronized void addGame(int score, int gameSteps) {
         scores.add(score);
         steps += gameSteps;
@@ -40,7 +40,7 @@ final class ContestTally {
         return scores.stream().mapToInt(Integer::intValue).average().orElse(Double.NaN);
     }
 
-    /** The result so far. */
+    /** Returns the result so far. */
     synchronized ContestResult result() {
         return new ContestResult(scores, steps, pacMan, ghosts, failures, Optional.ofNullable(repetition));
     }

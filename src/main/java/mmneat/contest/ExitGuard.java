@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.Map;
 
 /**
- * Watches over the end of the program while games are played. A controller may end the program in ways that its byte code does
- * not show: the exit code 0 that it chooses must not look like a result.
+ * A shutdown hook that is active while games are played. A controller may end the program in ways that its byte code
+ * does not show. Its exit code 0 must not look like a result.
  */
 final class ExitGuard {
 
@@ -13,7 +13,9 @@ final class ExitGuard {
 
     private final Thread hook;
 
-    /** @param report says, in the shutdown of the program, what was reached */
+    /**
+     * @param report reports, during the shutdown, the result so far
+     */
     ExitGuard(Runnable report) {
         hook = new Thread(() -> {
             report.run();
@@ -24,7 +26,10 @@ final class ExitGuard {
         Runtime.getRuntime().addShutdownHook(hook);
     }
 
-    /** Signals end the program without a call of exit; closing the window calls it in the event thread. */
+    /**
+     * Whether a controller ended the program. Signals end it without a call of exit; closing the window calls exit in
+     * the event thread.
+     */
     private static boolean isEndedByAController(Map<Thread, StackTraceElement[]> stacks) {
         return stacks.entrySet().stream()
                 .filter(stack -> !stack.getKey().getName().startsWith("AWT-"))
@@ -33,12 +38,12 @@ final class ExitGuard {
                         && frame.getMethodName().equals("exit"));
     }
 
-    /** Ends the watch. */
+    /** Removes the hook. */
     void close() {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException e) {
-            // The program ends already, as the last game does: the hook is at work.
+            // The program is already ending, and the hook is running.
             return;
         }
     }

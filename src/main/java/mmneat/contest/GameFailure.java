@@ -3,22 +3,22 @@ package mmneat.contest;
 import java.util.Optional;
 
 /**
- * A controller's failure in a game.
+ * The failure of a controller in a game.
  *
  * @param game number of the game, from 1
- * @param time game time in steps at which it failed; -1 if it is not known, as in timed games
+ * @param time game time of the failure in steps; -1 if it is unknown, as in timed games
  * @param controller name of the controller; empty if {@code what} names it
  * @param what what the controller threw or did
  * @param thrown what the controller threw; empty if it threw nothing
  */
 public record GameFailure(int game, int time, String controller, String what, Optional<Throwable> thrown) {
 
-    /** In which game it failed, and at which time of it. */
+    /** Returns the game and the time of the failure. */
     String place() {
         return "in game " + game + (time < 0 ? "" : " at time " + time);
     }
 
-    /** Who failed, and how: one line without a full stop. */
+    /** Returns which controller failed and how, in one line without a full stop. */
     public String sentence() {
         return controller.isEmpty() ? what : controller + " failed: " + what;
     }

@@ -19,25 +19,28 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Plays single games of a contest, with new controllers in each, and tells how they ended. */
+/** Plays single games of a contest, each with new controllers, and returns their outcomes. */
 final class GamePlay {
 
     private static final int LAST_LOOK_MILLISECONDS = 2000;
     private static final int LONGEST_LOOK_MILLISECONDS = 100;
 
     /**
-     * How a game ended.
+     * The outcome of a game.
      *
-     * @param score of the game; of no meaning if {@code isFinished} does not hold
+     * @param score the score; undefined if {@code isFinished} is false
      * @param steps game steps played
-     * @param isFinished whether it was played to its end
-     * @param failure of a controller; a timed game goes on after one
-     * @param timed punctuality of the controllers; empty if the game was not timed or did not end
+     * @param isFinished whether the game was played to its end
+     * @param failure the failure of a controller; a timed game continues after a failure
+     * @param timed punctuality of the controllers; empty if the game was not timed or not finished
      */
     record Outcome(
             int score, int steps, boolean isFinished, Optional<GameFailure> failure, Optional<TimedReport> timed) {}
 
-    /** Bytes that are given up when a controller has used all memory, so that the failure can be told. */
+    /**
+     * Size of a reserve, in bytes, that is freed when a controller has used all memory, so that the failure can be
+     * reported.
+     */
     private static final int RESERVE = 4 << 20;
 
     private final ContestSettings settings;
@@ -53,8 +56,8 @@ final class GamePlay {
     /**
      * Plays a game.
      *
-     * @param number of the game, from 1
-     * @param afterStep called after each step with the game; not in untimed games that are shown
+     * @param number number of the game, from 1
+     * @param afterStep called with the game after each step, except in untimed games that are shown
      */
     Outcome play(Game game, int number, Consumer<Game> afterStep) {
         boolean isLimited = settings.moveLimit() != null && settings.timing() == Timing.NONE;
@@ -94,7 +97,7 @@ final class GamePlay {
         return report;
     }
 
-    /** A controller did not answer in time. */
+    /** Thrown when a controller did not answer in time. */
     private static final class NoAnswer extends RuntimeException {
         private static final long serialVersionUID = 1;
         private final String controller;
@@ -106,8 +109,8 @@ final class GamePlay {
     }
 
     /*
-     * The game is played by a thread of its own, since nothing in Java ends a thread that does not want to end: a controller that
-     * never answers is interrupted and left behind.
+     * A separate thread plays the game, because Java cannot stop a thread that does not cooperate. A controller that
+     * never answers is interrupted, and its thread is abandoned.
      */
     private Optional<TimedReport> playLimited(Game game, Consumer<Game> afterStep) {
         CompletableFuture<Optional<TimedReport>> end = new CompletableFuture<>();
@@ -131,7 +134,7 @@ final class GamePlay {
             try {
                 return end.get(look, TimeUnit.MILLISECONDS);
             } catch (TimeoutException e) {
-                // Another thread writes the time; a value that is a little old only makes the limit a little longer.
+                // Another thread writes the time; a stale value only makes the limit slightly longer.
                 long now = System.nanoTime();
                 if (game.getTotalTime() != time) {
                     time = game.getTotalTime();
@@ -182,7 +185,7 @@ final class GamePlay {
             return failed(game, number, report.controllerName(), threw(thrown), thrown);
         }
         if (failure instanceof UserError error) {
-            // A controller could not be made: the message names it.
+            // A controller could not be created; the message names it.
             return failed(game, number, "", error.getMessage(), null);
         }
         if (failure instanceof VirtualMachineError error) {

@@ -1,6 +1,6 @@
 package mmneat.contest;
 
-/** What a contest does about a game in which a controller failed. */
+/** The rule for a game in which a controller failed. */
 public enum OnFailure {
     /** The contest ends; the finished games are reported. */
     STOP,

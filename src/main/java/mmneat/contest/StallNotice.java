@@ -6,7 +6,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import pacman.game.Game;
 
-/** Reports a game that does not continue: without a time limit nothing else notices a controller that never answers. */
+/** Reports a game that has stalled. Without a time limit nothing else detects a controller that never answers. */
 final class StallNotice implements AutoCloseable {
 
     private static final String ASKING = "pacman.UntimedRun";
@@ -17,15 +17,15 @@ final class StallNotice implements AutoCloseable {
 
     private volatile Game game;
 
-    // What the last look saw; only the clock's thread knows these.
+    // The state at the last check; only the timer thread uses these fields.
     private Game gameSeen;
     private int timeSeen;
     private boolean told;
 
     /**
-     * Looks after the games that the calling thread plays.
+     * Starts to watch the games that the calling thread plays.
      *
-     * @param milliseconds time between two looks; a game that has not gone on between them is stalled
+     * @param milliseconds time between two checks; a game that has made no step between them is stalled
      */
     StallNotice(PrintWriter notes, long milliseconds) {
         this.notes = notes;
@@ -39,7 +39,7 @@ final class StallNotice implements AutoCloseable {
         return thread;
     }
 
-    /** From now on this game is played; null if none is. */
+    /** Sets the game to watch; null for none. */
     void watch(Game next) {
         game = next;
     }
@@ -49,7 +49,7 @@ final class StallNotice implements AutoCloseable {
         if (now == null) {
             return;
         }
-        // Another thread writes the time; a value that is a little old only makes the notice a little late.
+        // Another thread writes the time without synchronisation; a stale value only delays the notice slightly.
         int time = now.getTotalTime();
         boolean goesOn = now != gameSeen || time != timeSeen;
         gameSeen = now;
@@ -66,7 +66,7 @@ final class StallNotice implements AutoCloseable {
         }
     }
 
-    /** The class whose method a playing thread has called to get a move. */
+    /** Returns the class of the controller whose method the playing thread has called to get a move. */
     static String controllerAskedBy(Thread player) {
         StackTraceElement asked = null;
         for (StackTraceElement frame : player.getStackTrace()) {

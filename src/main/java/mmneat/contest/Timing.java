@@ -1,11 +1,11 @@
 package mmneat.contest;
 
-/** How long the controllers of a contest may take for an answer. */
+/** The time limit for an answer of a controller. */
 public enum Timing {
-    /** As long as they like; they are asked directly. */
+    /** No limit: controllers are called directly. */
     NONE,
-    /** 40 ms per step by the clock, however soon they answer. */
+    /** Exactly 40 ms per step, even if the controllers answer earlier. */
     REAL_TIME,
-    /** 40 ms at most; the next step comes when both have answered. */
+    /** At most 40 ms per step: the next step starts when both have answered. */
     UNTIL_ANSWERED
 }

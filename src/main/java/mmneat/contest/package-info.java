@@ -1,2 +1,2 @@
-/** Contests: many games between two controllers, what they score, and what happens when a controller fails. */
+/** Contests: many games between two controllers, their scores, and the handling of controllers that fail. */
 package mmneat.contest;

@@ -7,10 +7,10 @@ import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.function.Supplier;
 
-/** Turns the texts of a constructor's arguments into values: numbers, booleans, texts, enum constants, controllers. */
+/** Converts the texts of a constructor's arguments to values: numbers, booleans, texts, enum constants, controllers. */
 final class ArgumentValues {
 
-    /** The types that a text can become, from the one that says most about the text to the one that says least. */
+    /** The conversions by type, ranked from the most to the least specific type. */
     private static final Map<Class<?>, Conversion> CONVERSIONS = Map.ofEntries(
             Map.entry(boolean.class, new Conversion(1, ArgumentValues::booleanOf)),
             Map.entry(int.class, new Conversion(2, Integer::valueOf)),
@@ -38,14 +38,17 @@ final class ArgumentValues {
      */
     private record Conversion(int rank, Function<String, Object> value) {}
 
-    /** Finds controllers that are named as arguments. */
+    /** Finds controllers that are given as arguments. */
     interface Controllers {
-        /** Makes controllers of a class by its call; empty if there is no such class, or none of this type. */
+        /**
+         * Returns a factory of the controllers that a call describes; empty if there is no such class or it is not of
+         * this type.
+         */
         Optional<Supplier<?>> find(String call, Class<?> type);
     }
 
     /**
-     * A value for a parameter, made anew each time.
+     * A value for a parameter, created again for each controller.
      *
      * @param rank the lower, the better the parameter fits the text
      */
@@ -57,7 +60,7 @@ final class ArgumentValues {
         this.controllers = controllers;
     }
 
-    /** The value of a text for a parameter; empty if the text is none of the parameter's type. */
+    /** Returns the value of a text for a parameter; empty if the text cannot be converted to the parameter's type. */
     Optional<Argument> of(String text, Class<?> parameter) {
         Class<?> type = PRIMITIVES.getOrDefault(parameter, parameter);
         Conversion conversion = CONVERSIONS.get(type);

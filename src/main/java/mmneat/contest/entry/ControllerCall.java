@@ -6,18 +6,18 @@ import java.util.Optional;
 import mmneat.experiment.UserError;
 
 /**
- * A controller as a user writes it: the name of a class, and the arguments of its constructor, as in {@code
+ * The user's description of a controller: the name of a class and the arguments of its constructor, as in {@code
  * my.Entry(Legacy, 3, 'two words')}.
  *
  * @param name name of the class
- * @param arguments texts of the arguments, in order, without blanks around them
+ * @param arguments texts of the arguments, in order, without surrounding blanks
  */
 record ControllerCall(String name, List<String> arguments) {
 
     /**
      * Reads a name with or without arguments.
      *
-     * @throws UserError if a parenthesis or quote has no counterpart
+     * @throws UserError if parentheses or quotes are not balanced
      */
     static ControllerCall parse(String text) {
         return read(text)
@@ -39,7 +39,7 @@ record ControllerCall(String name, List<String> arguments) {
         return split(call.substring(open + 1, call.length() - 1)).map(list -> new ControllerCall(name, list));
     }
 
-    /** Splits at the commas outside of quotes and inner parentheses; empty if one of these has no counterpart. */
+    /** Splits at the commas outside of quotes and inner parentheses; empty if these are not balanced. */
     private static Optional<List<String>> split(String list) {
         List<String> arguments = new ArrayList<>();
         StringBuilder argument = new StringBuilder();

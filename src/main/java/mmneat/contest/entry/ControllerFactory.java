@@ -13,7 +13,7 @@ import mmneat.experiment.UserError;
 import pacman.controllers.Controller;
 
 /**
- * Makes controllers of one class, with the constructor that fits the arguments given.
+ * A factory of controllers of one class, which uses the constructor that fits the given arguments.
  *
  * @param <T> {@code MOVE} for Ms. Pac-Man, {@code EnumMap<GHOST, MOVE>} for the ghosts
  */
@@ -32,7 +32,7 @@ public final class ControllerFactory<T> {
     private final Choice choice;
 
     /**
-     * @param type a concrete subclass of {@link Controller} that decides on the right kind of moves
+     * @param type a concrete subclass of {@link Controller} with the right type of moves
      * @param origin the jar or folder that the class comes from; empty if it is one of ours
      */
     ControllerFactory(Class<?> type, ControllerCall call, String origin, ArgumentValues values) {
@@ -48,7 +48,7 @@ public final class ControllerFactory<T> {
     }
 
     private Choice choose(ArgumentValues values) {
-        // Of constructors that fit equally well, the first by its text: the order of reflection is none.
+        // Ties are broken alphabetically, because the order of reflection is undefined.
         return Arrays.stream(type.getDeclaredConstructors())
                 .sorted(Comparator.comparing(Constructor::toGenericString))
                 .map(constructor -> fitting(constructor, values))
@@ -99,7 +99,10 @@ public final class ControllerFactory<T> {
         return origin;
     }
 
-    /** A new controller. While it is made, its own classes and files are what libraries find by the thread's class loader. */
+    /**
+     * Creates a controller. During creation the thread's class loader is that of the entry, so that libraries find its
+     * classes and files.
+     */
     @SuppressWarnings("unchecked") // ControllerLoader has looked at the type of the moves.
     public Controller<T> create() {
         return (Controller<T>) createObject();
@@ -134,7 +137,7 @@ public final class ControllerFactory<T> {
         return new UserError(type.getName() + " cannot be used: " + e + missing(e), e);
     }
 
-    /** What to do about something that an entry needs and that is not there. */
+    /** Returns advice about a class or member that an entry needs and that is missing. */
     static String missing(LinkageError e) {
         String explanation = MissingMember.explanation(e);
         return explanation.isEmpty() ? "; is everything it needs on the class path?" : explanation;

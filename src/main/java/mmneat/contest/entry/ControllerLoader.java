@@ -20,19 +20,19 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Finds controllers by class name: first on the class path that the user gives, then among ours. A name without a package
- * is enough where it is unique. Our skeletons in {@code pacman.entries} never stand in for a class that the class path lacks.
+ * Finds controllers by class name, first on the user's class path, then in this program. The package can be left out if
+ * the name is unique. The skeletons in {@code pacman.entries} never replace a class that is missing on the class path.
  *
- * <p>Every mistake (no such class, no controller, the wrong kind of moves, no constructor, unreadable file) is a {@link
- * UserError}.
+ * <p>Every error (no such class, not a controller, the wrong type of moves, no constructor, unreadable file) is a
+ * {@link UserError}.
  */
 public final class ControllerLoader {
 
-    /** Where a name without a package is looked for among ours. */
+    /** The packages of this program that are searched for a name without a package. */
     private static final List<String> OUR_PACKAGES =
             List.of("pacman.controllers.examples.", "pacman.entries.pacman.", "pacman.entries.ghosts.");
 
-    /** For suggestions. */
+    /** The names of our controllers, for suggestions. */
     private static final List<String> OUR_PAC_MEN = List.of(
             "MyPacMan",
             "NearestPillPacMan",
@@ -72,7 +72,7 @@ public final class ControllerLoader {
     }
 
     /**
-     * A controller of Ms. Pac-Man.
+     * Returns a factory of controllers of Ms. Pac-Man.
      *
      * @param call name of a class, and the arguments of its constructor, as in {@code my.Entry(Legacy,3)}
      */
@@ -81,7 +81,7 @@ public final class ControllerLoader {
     }
 
     /**
-     * A ghost team.
+     * Returns a factory of ghost controllers.
      *
      * @param call name of a class, and the arguments of its constructor
      */
@@ -112,7 +112,7 @@ public final class ControllerLoader {
                 new ArgumentValues((argument, wanted) -> argument(argument, wanted, type)));
     }
 
-    /** A controller that is the argument of another's constructor: a class of the same entry, or one of ours. */
+    /** Finds a controller that is a constructor argument of another: a class of the same entry, or one of ours. */
     private Optional<Supplier<?>> argument(String text, Class<?> wanted, Class<?> owner) {
         ControllerCall call = ControllerCall.read(text).orElse(null);
         if (call == null) {
@@ -154,7 +154,10 @@ public final class ControllerLoader {
                 .orElseThrow(() -> notFound(name, ours));
     }
 
-    /** Whether a class of ours is meant. Our skeletons have the names of entries: a class path is given to replace them. */
+    /**
+     * Whether our class may be used. Our skeletons have the names of entries, so they are not used if there is a class
+     * path.
+     */
     private boolean mayStandIn(Class<?> ours) {
         return classPath.isEmpty() || !EntryClassLoader.isSkeleton(ours.getName());
     }
@@ -167,7 +170,7 @@ public final class ControllerLoader {
             try {
                 return Optional.of(Class.forName(candidate, false, ControllerLoader.class.getClassLoader()));
             } catch (ClassNotFoundException e) {
-                continue; // The next package may have it; that none has is told by the caller.
+                continue; // The next package may have it. The caller reports if no package has it.
             }
         }
         return Optional.empty();
@@ -191,7 +194,7 @@ public final class ControllerLoader {
                 + (suggestion.isEmpty() ? "; known: " + String.join(", ", ours) : suggestion));
     }
 
-    /** Looks at the type of the answers; what a raw class hides is left to the game. */
+    /** Checks the type of the answers. The type of a raw class is unknown here; the game checks its answers. */
     private static void requireMoves(Class<?> type, Class<?> moves, String meaning) {
         Class<?> answers = typeOfAnswers(type).or(() -> typeOfDecision(type)).orElse(moves);
         if (!moves.isAssignableFrom(answers)) {
@@ -200,7 +203,7 @@ public final class ControllerLoader {
         }
     }
 
-    /** What a class puts in the place of the T of {@code Controller<T>}, through all its superclasses. */
+    /** Returns the type argument for T of {@code Controller<T>}, resolved through all superclasses. */
     private static Optional<Class<?>> typeOfAnswers(Class<?> type) {
         Map<Type, Type> known = new HashMap<>();
         for (Class<?> heir = type; heir != Controller.class; heir = heir.getSuperclass()) {
@@ -217,7 +220,7 @@ public final class ControllerLoader {
         return plain instanceof Class<?> found ? Optional.of(found) : Optional.empty();
     }
 
-    /** What a class without type parameters declares that its decision returns. */
+    /** Returns the declared return type of the decision method of a raw class. */
     private static Optional<Class<?>> typeOfDecision(Class<?> type) {
         for (Class<?> declaring = type; declaring != Controller.class; declaring = declaring.getSuperclass()) {
             for (Method method : declaring.getDeclaredMethods()) {

@@ -17,18 +17,19 @@ import org.objectweb.asm.commons.Remapper;
 import pacman.controllers.Controller;
 
 /**
- * Loads one entry of the competition: its own classes from its jar or class folder, the programming interface from us.
+ * The class loader of one entry of the competition. It loads the entry's classes from its jar or class folder, and the
+ * programming interface from this program.
  *
- * <p>An entry is often packed together with the simulator that it was written for. Were its own copy of {@code
- * pacman.game.Game} used, the entry would not fit our games; so every class that we have below {@code pacman} is ours,
- * except {@code pacman.entries}, where the entries themselves live. Everything else comes from the entry first, so that
- * two entries, or an entry and this program, may use different versions of a library.
+ * <p>An entry is often packed together with the simulator for which it was written. With its own copy of {@code
+ * pacman.game.Game} it could not play our games. So every class that this program has below {@code pacman} is taken
+ * from this program, except in {@code pacman.entries}, the package of the entries. Everything else is searched in the
+ * entry first, so that two entries, or an entry and this program, can use different versions of a library.
  *
- * <p>A copy of the simulator may also stand in another package, say {@code edu.example.pacman.controllers.Controller}.
- * The entry's superclasses tell: a superclass whose name ends as one of ours does gives away the package, and all names
- * below it that we have too are renamed in the entry's byte code as it is loaded. (By ASM, the library that the JDK and
- * most build tools use for this; it is small, and follows every Java version.) Names inside strings, as for {@code
- * Class.forName}, are not renamed.
+ * <p>A copy of the simulator may also be in another package, for example {@code
+ * edu.example.pacman.controllers.Controller}. This package is found through a superclass of the entry whose name ends
+ * like one of ours. All names below that package that this program also has are then renamed in the entry's byte code
+ * during loading. (ASM does this, the library that the JDK and most build tools use; it is small and supports every
+ * Java version.) Names inside strings, as for {@code Class.forName}, are not renamed.
  *
  * <p>Calls that end the program become errors of the controller: {@link ExitCalls}.
  */
@@ -43,7 +44,10 @@ final class EntryClassLoader extends URLClassLoader {
 
     private final String entryName;
 
-    /** Package in which the entry expects the programming interface, in the form of class files, with a slash behind. */
+    /**
+     * Package in which the entry expects the programming interface, in the form of class files, with a slash at the
+     * end.
+     */
     private final String expectedApi;
 
     EntryClassLoader(URL[] places, String entryName) {
@@ -52,14 +56,14 @@ final class EntryClassLoader extends URLClassLoader {
         expectedApi = findExpectedApi().orElse(API);
     }
 
-    /** Whether a class is part of our programming interface and so never taken from an entry. */
+    /** Whether a class is part of our programming interface and therefore never loaded from an entry. */
     static boolean isOurs(String className) {
         boolean ourPackage =
                 className.startsWith("pacman.") && !className.startsWith(ENTRIES) || className.startsWith("mmneat.");
         return ourPackage && OURS.getResource(fileOf(className)) != null;
     }
 
-    /** Whether a class is one of our skeletons, whose names entries have too. */
+    /** Whether a class is one of our skeletons, whose names entries also use. */
     static boolean isSkeleton(String className) {
         return className.startsWith(ENTRIES);
     }
@@ -68,7 +72,7 @@ final class EntryClassLoader extends URLClassLoader {
         return load(entryName);
     }
 
-    /** Another class of the entry. */
+    /** Loads another class of the entry. */
     Class<?> load(String className) {
         try {
             return loadClass(className);
@@ -77,7 +81,7 @@ final class EntryClassLoader extends URLClassLoader {
         }
     }
 
-    /** Whether the entry can be a controller: it extends one, as far as its class files tell, and is not abstract. */
+    /** Whether the entry can be a controller: according to its class files, it extends one and is not abstract. */
     boolean isController() {
         return findExpectedApi().isPresent() && !isAbstract();
     }
@@ -102,7 +106,7 @@ final class EntryClassLoader extends URLClassLoader {
         }
     }
 
-    /** From the JDK, from the entry, or, if the entry builds on our skeletons, from us. */
+    /** Loads a class from the JDK, from the entry, or, if the entry extends our skeletons, from this program. */
     private Class<?> loadOther(String name) throws ClassNotFoundException {
         try {
             return super.loadClass(name, false);
@@ -128,7 +132,7 @@ final class EntryClassLoader extends URLClassLoader {
         return defineClass(name, bytes, 0, bytes.length, new CodeSource(placeOf(name), (Certificate[]) null));
     }
 
-    /** The jar or folder of a class, which an entry may ask for to find its files. */
+    /** Returns the jar or folder of a class, which an entry may use to find its files. */
     private URL placeOf(String className) {
         String resource = findResource(fileOf(className)).toString();
         for (URL place : getURLs()) {
@@ -139,7 +143,7 @@ final class EntryClassLoader extends URLClassLoader {
         return null;
     }
 
-    /** Renames what we have too; the entry's own classes keep their names. */
+    /** Renames classes that this program also has; the entry's own classes keep their names. */
     private final class ToOurs extends Remapper {
         @Override
         public String map(String internalName) {
@@ -153,7 +157,7 @@ final class EntryClassLoader extends URLClassLoader {
         }
     }
 
-    /** Climbs the entry's superclasses to the first that is named like a controller of ours. */
+    /** Searches the entry's superclasses for the first whose name ends like a controller of ours. */
     private Optional<String> findExpectedApi() {
         String name = superclassOf(entryName);
         while (name != null && !name.startsWith("java/")) {
@@ -167,12 +171,17 @@ final class EntryClassLoader extends URLClassLoader {
         return Optional.empty();
     }
 
-    /** In the form of class files; null if there is none, or the class is not the entry's. */
+    /**
+     * Returns the superclass in the form of class files; null if there is none, or the class is not part of the entry.
+     */
     private String superclassOf(String className) {
         return header(className).map(ClassReader::getSuperName).orElse(null);
     }
 
-    /** Empty if the entry has no such class, or its file is damaged or too new to be read: the JVM will say so when it is loaded. */
+    /**
+     * Returns the header of a class file; empty if the entry has no such class, or the file is damaged or too new. The
+     * JVM reports that when it loads the class.
+     */
     private Optional<ClassReader> header(String className) {
         try {
             return classFile(className).map(ClassReader::new);

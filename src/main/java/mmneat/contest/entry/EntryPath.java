@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import mmneat.experiment.UserError;
 
-/** The jars and class folders that a user names, and the classes in them. */
+/** The user's class path: jars and class folders, and the classes in them. */
 final class EntryPath {
 
     private static final String CLASS_FILE = ".class";
@@ -23,7 +23,7 @@ final class EntryPath {
     private final String option;
     private final List<Path> places;
 
-    /** The places of all classes found, by class name. */
+    /** The jars and folders of all classes, by class name. */
     private final TreeMap<String, List<Path>> placesOfClasses = new TreeMap<>();
 
     EntryPath(String option, List<Path> places) {
@@ -41,8 +41,8 @@ final class EntryPath {
     }
 
     /**
-     * The classes on this path that {@code name} may mean: the one with exactly this name, or those whose name without
-     * the package, or without the class around them, is it. Copies of our own interface and examples do not count.
+     * Returns the classes on this path that {@code name} may mean: the class with exactly this name, or those with this
+     * name without the package or the enclosing class. Copies of our own interface and examples are excluded.
      */
     List<String> classesNamed(String name) {
         List<String> candidates = placesOfClasses.keySet().stream()
@@ -56,10 +56,10 @@ final class EntryPath {
     }
 
     /**
-     * Loads a class of this path, in a class loader of its own. What else the class needs is looked for beside it first: other
-     * entries may have classes of the same names.
+     * Loads a class of this path in a separate class loader. Other classes that it needs are searched in the same jar
+     * or folder first, because other entries may have classes with the same names.
      *
-     * @throws UserError if the class is in several places
+     * @throws UserError if the class is in several jars or folders
      */
     Class<?> load(String className) {
         List<Path> holders = placesOfClasses.get(className);
@@ -71,7 +71,7 @@ final class EntryPath {
         return loader(className).loadEntry();
     }
 
-    /** The jar or folder that holds a class of this path. */
+    /** Returns the jar or folder of a class of this path. */
     String placeOf(String className) {
         return placesOfClasses.get(className).get(0).toString();
     }
@@ -92,7 +92,7 @@ final class EntryPath {
         }
     }
 
-    /** The classes on this path that extend our Controller, in order. */
+    /** Returns the classes on this path that extend our Controller, in order. */
     List<String> controllerNames() {
         return placesOfClasses.keySet().stream()
                 .filter(name -> !EntryClassLoader.isOurs(name))
@@ -105,7 +105,7 @@ final class EntryPath {
         return places.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
     }
 
-    /** Without the package, and for a nested class without the class around it: as reports call it. */
+    /** Returns the name without package and enclosing class, as in reports. */
     private static String simpleName(String className) {
         return className.substring(Math.max(className.lastIndexOf('.'), className.lastIndexOf('$')) + 1);
     }

@@ -7,7 +7,7 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
-/** Replaces the calls that end the program by those of {@link ControllerExit}, in the byte code of an entry's class. */
+/** Replaces calls that end the program with those of {@link ControllerExit} in the byte code of an entry's class. */
 final class ExitCalls extends ClassVisitor {
 
     private static final String SYSTEM = "java/lang/System";

@@ -1,13 +1,13 @@
 package mmneat.contest.entry;
 
-/** Recognises what an entry misses because it was written for another version of the simulator. */
+/** Recognises missing classes and members of entries that were written for another version of the simulator. */
 public final class MissingMember {
 
     private MissingMember() {}
 
     /**
-     * An explanation to be appended to a message: that release 6.2 never had the class, method or field that an entry asks for.
-     * Empty if something else is the matter.
+     * Returns an explanation to append to a message: release 6.2 never had the class, method or field that an entry
+     * uses. Empty if the failure has another cause.
      */
     public static String explanation(Throwable failure) {
         for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
@@ -25,7 +25,7 @@ public final class MissingMember {
         if (cause instanceof NoClassDefFoundError) {
             return missing.startsWith("pacman.") && !missing.startsWith("pacman.entries.");
         }
-        // Of a field Java 17 tells the name alone.
+        // For a field, Java 17 reports only the name.
         return cause instanceof NoSuchMethodError && missing.contains("pacman.")
                 || cause instanceof NoSuchFieldError && (missing.contains("pacman.") || !missing.contains("."));
     }

@@ -1,2 +1,5 @@
-/** Controllers by class name: ours, and entries of others from a jar or class folder. */
+/**
+ * Loading of controllers by class name: controllers of this program, and competition entries from a jar or class
+ * folder.
+ */
 package mmneat.contest.entry;
