@@ -2,12 +2,18 @@ package mmneat.experiment.cluster;
 
 import java.util.List;
 
-/** One shell command per run, for GNU parallel, {@code xargs} or any other dispatcher that starts command lines. */
+/**
+ * A list of shell commands, one per run, for GNU parallel, {@code xargs} or any other program that starts command
+ * lines.
+ */
 public final class CommandList {
 
     private CommandList() {}
 
-    /** The commands of all runs of {@code job}, each complete: it changes into the working folder by itself. */
+    /**
+     * Returns the commands of all runs of {@code job}. Each command is complete: it first changes into the working
+     * folder.
+     */
     public static List<String> of(ExperimentJob job, JobResources resources) {
         return job.runs().stream().map(run -> command(job, resources, run)).toList();
     }

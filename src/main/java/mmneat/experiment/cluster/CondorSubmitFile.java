@@ -7,8 +7,8 @@ import mmneat.experiment.UserError;
 /**
  * The submit file of one experiment for HTCondor: one job per run, on a file system that the machines share.
  *
- * <p>A job that is evicted gets SIGTERM, saves, and is started again by HTCondor; a run that ends with another exit code
- * than 0 or 2 is tried again three times.
+ * <p>A job that is evicted gets SIGTERM, saves, and is started again by HTCondor; a run that ends with another exit
+ * code than 0 or 2 is tried again three times.
  */
 public final class CondorSubmitFile {
 
@@ -37,9 +37,9 @@ public final class CondorSubmitFile {
     private CondorSubmitFile() {}
 
     /**
-     * The submit file.
+     * Returns the text of the submit file.
      *
-     * @throws UserError if a folder or the Java program has a name that a submit file cannot hold
+     * @throws UserError if the name of a folder or of the Java program cannot be written in a submit file
      */
     public static String of(ExperimentJob job, JobResources resources) {
         List<String> command = job.command(resources, CondorSubmitFile::quote, "run=$(run)");
@@ -57,14 +57,20 @@ public final class CondorSubmitFile {
                 job.runs().stream().map(String::valueOf).collect(Collectors.joining(" ")));
     }
 
-    /** HTCondor's new syntax: the whole line in double quotes, words with blanks in single ones, quotes doubled. */
+    /**
+     * Quotes a word in HTCondor's new syntax: the whole line in double quotes, words with blanks in single quotes,
+     * quotes doubled.
+     */
     private static String quote(String word) {
         String doubled = literal(word).replace("\"", "\"\"");
         boolean special = doubled.isEmpty() || doubled.matches(".*[\\s'].*");
         return special ? "'" + doubled.replace("'", "''") + "'" : doubled;
     }
 
-    /** The value of a line of its own, which is trimmed, may be quoted and goes on behind a backslash at its end. */
+    /**
+     * Quotes the value of a line. HTCondor trims such a value, allows quotes, and continues it after a backslash at its
+     * end.
+     */
     private static String value(String text) {
         if (!text.equals(text.strip()) || text.endsWith("\\") || text.contains("\"")) {
             throw new UserError(
@@ -74,7 +80,7 @@ public final class CondorSubmitFile {
         return literal(text);
     }
 
-    /** A dollar sign would begin the name of a value. */
+    /** Escapes dollar signs, which would start a macro name. */
     private static String literal(String text) {
         if (text.contains("$$(") || text.contains("$$[")) {
             throw new UserError(text + ": HTCondor would replace what follows $$; use a value without it");

@@ -8,14 +8,15 @@ import java.util.stream.Stream;
 import mmneat.experiment.PlainText;
 
 /**
- * The unfinished runs of one experiment, as jobs: run r is the command {@code java -jar mmneat.jar run=r <words>}.
+ * The unfinished runs of one experiment as jobs of a scheduler. Run r is the command {@code java -jar mmneat.jar run=r
+ * <words>}.
  *
  * @param name name of the experiment and of its jobs, for instance {@code blended-2M}
- * @param folder where the job files are written and the jobs' output goes, for instance {@code results/blended}
- * @param workingFolder absolute folder that the jobs start in, so that relative paths in {@code words} mean the same
+ * @param folder folder of the job files and of the jobs' output, for instance {@code results/blended}
+ * @param workingFolder absolute folder in which the jobs start, so that relative paths in {@code words} stay valid
  * @param jar absolute path of {@code mmneat.jar} as the jobs see it
  * @param words the words that describe the experiment, without {@code run} and {@code runs}
- * @param runs numbers of the runs to do, ascending, without repetition, not empty
+ * @param runs numbers of the runs, ascending, without repetition, not empty
  */
 public record ExperimentJob(
         String name, Path folder, Path workingFolder, Path jar, List<String> words, List<Integer> runs) {
@@ -41,9 +42,9 @@ public record ExperimentJob(
     /**
      * The command of one run.
      *
-     * @param quote how the engine quotes a word
-     * @param run the run's number in the engine's own notation; it is inserted as it is
-     * @return the quoted words: the Java program first, {@code run=<run>} at its place, then the words of the experiment
+     * @param quote quotes a word for the scheduler
+     * @param run the run's number in the scheduler's notation; it is inserted unquoted
+     * @return the quoted words: the Java command, {@code run=<run>}, and the words of the experiment
      */
     List<String> command(JobResources resources, UnaryOperator<String> quote, String run) {
         List<String> before = new ArrayList<>(resources.javaCommand());
@@ -58,7 +59,7 @@ public record ExperimentJob(
                 .toList();
     }
 
-    /** The file of this experiment for an engine: {@code <folder>/<name>.<ending>}. */
+    /** Returns the job file of this experiment for a scheduler: {@code <folder>/<name>.<ending>}. */
     public Path file(String ending) {
         return folder.resolve(name + "." + ending);
     }

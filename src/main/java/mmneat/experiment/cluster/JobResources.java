@@ -9,12 +9,12 @@ import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 
 /**
- * What one run asks of the scheduler.
+ * The resources that one run requests from the scheduler.
  *
  * @param cpus processors, at least 1; a run uses one unless {@code parallelEvaluations=true}
  * @param memoryMebibytes memory of the whole process, in MiB, at least 256
- * @param time longest time before the scheduler ends the job; it then saves and is queued again
- * @param java the Java program of the machines that run the jobs
+ * @param time time limit of the job; at the limit the run saves, and the job is queued again
+ * @param java path of the Java program on the machines that run the jobs
  */
 public record JobResources(int cpus, int memoryMebibytes, Duration time, String java) {
 
@@ -23,7 +23,7 @@ public record JobResources(int cpus, int memoryMebibytes, Duration time, String 
 
     private static final Pattern ASSIGNMENT = Pattern.compile("\\w+=");
 
-    /** Least memory with which a run starts, in MiB. */
+    /** Minimum memory with which a run starts, in MiB. */
     private static final int LEAST_MEMORY = 256;
 
     /** Share of a job's memory that is Java's heap; the rest is for code, threads and the collector. */
@@ -75,12 +75,15 @@ public record JobResources(int cpus, int memoryMebibytes, Duration time, String 
         return text == null ? 0 : Long.parseLong(text);
     }
 
-    /** Hours, minutes and seconds as schedulers read them: {@code 36:00:00}. */
+    /** Returns the time in hours, minutes and seconds, as schedulers read it: {@code 36:00:00}. */
     String clockTime() {
         return String.format(Locale.ROOT, "%d:%02d:%02d", time.toHours(), time.toMinutesPart(), time.toSecondsPart());
     }
 
-    /** Java with a heap that fits into the memory asked for; without it Java would size itself by the whole machine. */
+    /**
+     * Returns the Java command with a heap that fits into the requested memory. By default Java would size its heap by
+     * the whole machine.
+     */
     List<String> javaCommand() {
         String collector = cpus == 1 ? "-XX:+UseSerialGC" : "-XX:+UseParallelGC";
         return List.of(

@@ -15,9 +15,9 @@ import mmneat.experiment.UserError;
 /**
  * The manifest of one experiment for Kubernetes: an Indexed Job (batch/v1) with one pod per run.
  *
- * <p>The jar and the results lie on a persistent volume that every pod mounts at the job's working folder. A pod that is
- * evicted gets SIGTERM, saves, and is replaced without counting as a failure; exit code 2 (a mistake in the words) fails
- * the run at once; other failures are tried again three times per run.
+ * <p>The jar and the results are on a persistent volume that every pod mounts at the job's working folder. A pod that
+ * is evicted gets SIGTERM, saves, and is replaced without counting as a failure; exit code 2 (an error in the words)
+ * fails the run immediately; other failures are tried again three times per run.
  */
 public final class KubernetesManifest {
 
@@ -30,11 +30,11 @@ public final class KubernetesManifest {
     private KubernetesManifest() {}
 
     /**
-     * The manifest, in YAML.
+     * Returns the manifest in YAML.
      *
      * @param image container image with a Java 17 or newer
      * @param claim name of the persistent volume claim that holds the working folder
-     * @throws UserError if a name cannot stand in a manifest
+     * @throws UserError if a name cannot be written in a manifest
      */
     public static String of(ExperimentJob job, JobResources resources, String image, String claim) {
         PlainText.require("image", image);
@@ -78,7 +78,7 @@ public final class KubernetesManifest {
                         "FailIndex",
                         "onExitCodes",
                         fields("containerName", "run", "operator", "In", "values", List.of(2))),
-                // 3: the killed predecessor's lock is not stale yet. 143: told to leave, and saved.
+                // 3: the lock of the killed predecessor is not stale yet. 143: terminated by a signal, and saved.
                 fields(
                         "action",
                         "Ignore",
@@ -116,14 +116,16 @@ public final class KubernetesManifest {
                 List.of(fields("name", "study", "persistentVolumeClaim", fields("claimName", claim))));
     }
 
-    /** Completion index i is the i-th unfinished run; "exec" lets Java itself get the signals. */
+    /**
+     * Returns the shell command. Completion index i is the i-th unfinished run; "exec" makes Java receive the signals.
+     */
     private static String shell(ExperimentJob job, JobResources resources) {
         String runs = job.runs().stream().map(String::valueOf).collect(Collectors.joining(" "));
         List<String> command = job.command(resources, KubernetesManifest::quote, "\"run=$run\"");
         return "set -- " + runs + "; shift \"$JOB_COMPLETION_INDEX\"; run=$1; exec " + String.join(" ", command);
     }
 
-    /** A word for the shell; Kubernetes makes one dollar sign of two, and would replace {@code $(NAME)} first. */
+    /** Quotes a word for the shell. Kubernetes first replaces {@code $(NAME)}, and turns two dollar signs into one. */
     private static String quote(String word) {
         return ShellWord.quote(word).replace("$", "$$");
     }

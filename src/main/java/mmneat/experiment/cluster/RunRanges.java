@@ -27,8 +27,8 @@ final class RunRanges {
     }
 
     /**
-     * Parts that fit a scheduler whose array indices must stay below {@code limit}: from the number that is added to
-     * the index, a multiple of {@code limit}, to the indices.
+     * Splits runs for a scheduler whose array indices must be below {@code limit}. It maps an offset, a multiple of
+     * {@code limit}, to the indices; a run is offset plus index.
      */
     static Map<Integer, List<Integer>> split(List<Integer> runs, int limit) {
         Map<Integer, List<Integer>> parts = new TreeMap<>();

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** Words as a POSIX shell reads them back. */
+/** Quotes words for a POSIX shell. */
 public final class ShellWord {
 
     private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_@%+=:,./-]+");
@@ -12,15 +12,16 @@ public final class ShellWord {
     private ShellWord() {}
 
     /**
-     * The word itself, or in single quotes if the shell would see anything special in it.
+     * Returns the word, in single quotes if it has special characters.
      *
-     * <p>A backslash stands outside of the quotes: there, POSIX shells, fish and Slurm's own {@code #SBATCH} lines agree on it.
+     * <p>A backslash is put outside of the quotes. Only there do POSIX shells, fish and Slurm's {@code #SBATCH} lines
+     * read it in the same way.
      */
     static String quote(String word) {
         return PLAIN.matcher(word).matches() ? word : "'" + word.replaceAll("[\\\\']", "'\\\\$0'") + "'";
     }
 
-    /** A command line of quoted words. */
+    /** Returns a command line of quoted words. */
     public static String line(List<String> words) {
         return words.stream().map(ShellWord::quote).collect(Collectors.joining(" "));
     }

@@ -9,15 +9,15 @@ import mmneat.experiment.UserError;
 /**
  * The batch script of one experiment for Slurm: a job array with one task per run.
  *
- * <p>A run ends in one of five ways, told apart by its exit code. 0: complete. 143 after the warning that the time limit
- * is near: it saved, and the script queues it again. 143 otherwise (scancel, pre-emption): it saved, and Slurm does what
- * it was told to. 3: the run's folder is locked; after a restart that is the killed predecessor, whose lock goes stale
- * while the script waits. 2: a mistake in the words, which no restart mends. Anything else is a crash and is tried again
- * three times.
+ * <p>The script handles the exit code of a run as follows. 0: complete. 143 after the warning that the time limit is
+ * near: the run saved, and the script queues it again. 143 otherwise (scancel, pre-emption): the run saved, and Slurm
+ * decides. 3: the run's folder is locked. After a restart this is the lock of the killed predecessor, which becomes
+ * stale while the script waits. 2: an error in the words, which a restart cannot fix. Any other code is a crash, and
+ * the run is tried again three times.
  */
 public final class SlurmScript {
 
-    /** Index of the task plus this environment variable is the run: arrays may be split. */
+    /** The environment variable that is added to the task index to get the run number, because arrays may be split. */
     private static final String OFFSET = "MMNEAT_FIRST_RUN";
 
     private static final String SCRIPT = """
@@ -71,8 +71,8 @@ public final class SlurmScript {
     private SlurmScript() {}
 
     /**
-     * The file that a task prints into, as a pattern of Slurm's. It has two special signs: a percent sign before the name of a
-     * value, which is doubled to stand for itself, and a backslash, which turns the pattern off.
+     * Returns the output file of a task as a Slurm file name pattern. In a pattern a literal percent sign is doubled. A
+     * backslash would disable the pattern.
      *
      * @throws UserError if the name has a backslash
      */
@@ -87,9 +87,9 @@ public final class SlurmScript {
     }
 
     /**
-     * The script. Slurm reads quotes in its own lines as a shell does.
+     * Returns the text of the script. Slurm reads quotes in its {@code #SBATCH} lines like a shell.
      *
-     * @param options further options of sbatch by name, for instance {@code partition} to {@code long}
+     * @param options additional options of sbatch by name, for instance {@code partition} = {@code long}
      */
     public static String of(ExperimentJob job, JobResources resources, Map<String, String> options) {
         StringBuilder furtherOptions = new StringBuilder();
@@ -116,7 +116,7 @@ public final class SlurmScript {
     }
 
     /**
-     * The commands that submit the script: one, or more where run numbers reach the site's array limit.
+     * Returns the commands that submit the script: one, or more if run numbers reach the site's array limit.
      *
      * @param arrayLimit the site's {@code MaxArraySize}: array indices are smaller than it
      */

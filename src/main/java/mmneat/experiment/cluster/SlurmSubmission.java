@@ -9,7 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import mmneat.experiment.UserError;
 
-/** Calls Slurm's own commands, {@code scontrol} and {@code sbatch}; they must be on the PATH. */
+/** Calls Slurm's commands {@code scontrol} and {@code sbatch}, which must be on the PATH. */
 public final class SlurmSubmission {
 
     private static final Pattern ARRAY_LIMIT = Pattern.compile("MaxArraySize\\s*=\\s*(\\d+)");
@@ -17,7 +17,7 @@ public final class SlurmSubmission {
 
     private SlurmSubmission() {}
 
-    /** The site's {@code MaxArraySize}: array indices must stay below it. */
+    /** Returns the site's {@code MaxArraySize}; array indices must be below it. */
     public static int arrayLimit() {
         String configuration = run(List.of("scontrol", "show", "config"));
         Matcher limit = ARRAY_LIMIT.matcher(configuration);

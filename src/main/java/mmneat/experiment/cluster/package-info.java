@@ -1,8 +1,8 @@
 /**
- * Runs as jobs of an existing scheduler: the files that Slurm, HTCondor, Kubernetes or a list of commands need.
+ * Job files for schedulers: scripts for Slurm, HTCondor and Kubernetes, and lists of commands.
  *
- * <p>There is no engine of our own. A run is the unit (its parameters and its own folder, nothing shared); the scheduler
- * places it, retries it and accounts for it. Everything here only writes text; {@link
- * mmneat.experiment.cluster.SlurmSubmission} alone calls a program.
+ * <p>One run is one job, which needs only its parameters and its own folder. The scheduler places, repeats and accounts
+ * for jobs. All classes only write text, except {@link mmneat.experiment.cluster.SlurmSubmission}, which calls
+ * programs.
  */
 package mmneat.experiment.cluster;

@@ -5,11 +5,12 @@ import java.util.function.LongSupplier;
 import mmneat.experiment.UserError;
 
 /**
- * Decides after which generations a run saves a checkpoint, with all files that are held in memory.
+ * The schedule of a run's checkpoints: after which generations it writes a checkpoint and all files that are held in
+ * memory.
  *
- * <p>By default ({@code checkpointEvery=auto}) a run saves after every generation, but at most once a second: a killed run of
- * fast generations then loses a second of work, and evolves those generations again with the same result. The first and the
- * last generation are always saved.
+ * <p>By default ({@code checkpointEvery=auto}) a run saves after every generation, but at most once a second: a killed
+ * run of fast generations loses at most a second of work, and evolves those generations again with the same result. The
+ * first and the last generation are always saved.
  */
 final class CheckpointSchedule {
 
@@ -28,7 +29,7 @@ final class CheckpointSchedule {
     }
 
     /**
-     * The schedule that the parameter {@code checkpointEvery} describes.
+     * Returns the schedule that the parameter {@code checkpointEvery} describes.
      *
      * @param text {@code auto} or a number of generations, at least 1
      * @throws UserError if it is neither
@@ -44,7 +45,7 @@ final class CheckpointSchedule {
         return new CheckpointSchedule(Integer.parseInt(text), nanoTime);
     }
 
-    /** Whether to save when so many generations are complete. */
+    /** Whether to save after this number of complete generations. */
     boolean isDue(int completed, boolean isLast) {
         if (isFirst || isLast) {
             return true;

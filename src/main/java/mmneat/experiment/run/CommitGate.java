@@ -6,15 +6,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
 
 /**
- * A gate that runs pass to write a generation, any number at a time, until it is closed. Once it is closed, nothing is being
- * written and nothing will be, so that the program can end.
+ * A gate that every run passes to write a generation; many runs can be inside at the same time. After it is closed, no
+ * run is writing and none will write, so that the program can end.
  */
 final class CommitGate {
 
     private final ReentrantReadWriteLock lock = new ReentrantReadWriteLock();
     private boolean closed;
 
-    /** Something that writes. */
+    /** An action that writes files. */
     interface Commit {
         void run() throws Exception;
     }
@@ -33,9 +33,9 @@ final class CommitGate {
     }
 
     /**
-     * Waits until no run writes, and closes.
+     * Closes the gate once the current writes are finished.
      *
-     * @return false if a run still wrote when the time was over; the gate is then open
+     * @return false if they were not finished within {@code patience}; the gate then stays open
      */
     boolean close(Duration patience) throws InterruptedException {
         if (!lock.writeLock().tryLock(patience.toMillis(), TimeUnit.MILLISECONDS)) {

@@ -13,16 +13,16 @@ import mmneat.experiment.store.RunLayout;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * The runs of an experiment: {@code runs=30} means the runs 0 to 29 with the seeds 0 to 29.
+ * The runs of an experiment. For example, {@code runs=30} means the runs 0 to 29 with the seeds 0 to 29.
  *
- * @param parameters what is common to all runs
- * @param name what the files of all runs start with, for instance {@code blended-2M}
+ * @param parameters the common parameters of all runs
+ * @param name prefix of the files of all runs, for instance {@code blended-2M}
  * @param base folder of the experiment, for instance {@code results/blended}
  * @param runs the runs, by ascending number
  */
 public record ExperimentPlan(Parameters parameters, String name, Path base, List<RunPlan> runs) {
 
-    /** The limit of common file systems, in bytes. */
+    /** The longest file name of common file systems, in bytes. */
     private static final int LONGEST_NAME = 255;
 
     public ExperimentPlan {
@@ -30,7 +30,7 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
     }
 
     /**
-     * The plan that the parameters describe.
+     * Returns the plan that the parameters describe.
      *
      * @throws UserError if they contradict each other
      */
@@ -64,7 +64,7 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
         return new ExperimentPlan(placed, log, Path.of(base), runs);
     }
 
-    /** Makes sure that the files of the last run can have their names: hours later it would be too late to tell. */
+    /** Checks that the names of the last run's files are not too long, before any run is started. */
     private static void requireNames(String saveTo, String log, int lastRun, Parameters parameters) {
         if (log.matches(".*[/\\\\].*")) {
             throw new UserError("log=" + log + ": names of files begin with it, so it must not contain / or \\;"
@@ -103,8 +103,8 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
     }
 
     /**
-     * The name that folders have for the method: the one that was named, or what the parameters amount to. The second form
-     * always has the number of modules, as folders of earlier runs do.
+     * Returns the name of the method in folder names: the given name, or the name that follows from the parameters. The
+     * latter always contains the number of modules, as in folders of earlier runs.
      */
     private static String methodLabel(Parameters parameters) {
         if (parameters.isGiven("method") || TaskVersion.labels().contains(parameters.text("task"))) {

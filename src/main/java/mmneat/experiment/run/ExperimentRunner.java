@@ -33,23 +33,24 @@ import mmneat.experiment.store.SymbolicLinks;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * Does the runs of a plan: side by side, each by itself and exact. A run that is finished is skipped, one that was begun is
- * continued; the result of a run does not depend on the others.
+ * Executes the runs of a plan in parallel. A finished run is skipped and a started run is continued. The result of a
+ * run does not depend on other runs.
  */
 public final class ExperimentRunner {
 
     private final ExperimentPlan plan;
     private final List<RunMonitor> monitors;
-    /** What makes the tasks of each run, in the plan's order. */
+    /** The task factory of each run, in the plan's order. */
     private final List<Supplier<Task>> tasks;
 
     private final CommitGate gate = new CommitGate();
     private final Set<RunLock> heldLocks = ConcurrentHashMap.newKeySet();
 
     /**
-     * An experiment that has not begun.
+     * Prepares an experiment without starting it.
      *
-     * @throws UserError if the task cannot be made, or a run was begun with other parameters or has gone farther
+     * @throws UserError if the task cannot be made, or a run was started with other parameters or has more generations
+     *     than requested
      */
     public ExperimentRunner(ExperimentPlan plan) {
         this.plan = plan;
@@ -67,8 +68,8 @@ public final class ExperimentRunner {
     }
 
     /**
-     * Makes sure that the plan can be carried out, as far as that can be checked before it starts: a missing file should not
-     * end thirty jobs of a cluster.
+     * Checks that the plan can be executed, as far as possible before it starts: a missing file should not make thirty
+     * cluster jobs fail.
      *
      * @throws UserError if not
      */
@@ -118,16 +119,16 @@ public final class ExperimentRunner {
         return Collections.nCopies(plan.runs().size(), Tasks.factory(plan.parameters()));
     }
 
-    /** How each run goes, in the plan's order. */
+    /** The progress of each run, in the plan's order. */
     public List<RunMonitor> monitors() {
         return monitors;
     }
 
     /**
-     * Does all runs.
+     * Executes all runs.
      *
-     * @return how each ended, in the plan's order
-     * @throws UserError if nothing can be written where the runs go
+     * @return the outcome of each run, in the plan's order
+     * @throws UserError if the folder of the runs is not writable
      * @throws InterruptedException if the calling thread is interrupted; the runs are then stopped
      */
     public List<RunOutcome> run() throws InterruptedException {
@@ -168,18 +169,18 @@ public final class ExperimentRunner {
         }
     }
 
-    /** Threads that are asked for; by default one for each core. */
+    /** The requested number of threads; by default one per core. */
     private int threads() {
         int asked = plan.parameters().integer("threads");
         return asked == 0 ? Runtime.getRuntime().availableProcessors() : asked;
     }
 
     /**
-     * Ends the writing of all runs, so that the program can end: what is being written is finished, nothing is begun, and the
-     * locks are given back. To be called when the process is told to end; the runs do not go on.
+     * Stops all runs so that the program can end: it completes current writes, prevents new ones, and releases the
+     * locks. Call it when the process is told to end.
      *
-     * @param patience how long to wait for what is being written
-     * @return whether all that was being written is finished; if not, the last complete state is on the disk all the same
+     * @param patience how long to wait for current writes
+     * @return whether all current writes were completed; if not, the last complete state is still on the disk
      */
     public boolean halt(Duration patience) throws InterruptedException, IOException {
         if (!gate.close(patience)) {

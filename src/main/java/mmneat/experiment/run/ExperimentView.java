@@ -28,7 +28,7 @@ import mmneat.experiment.store.GenerationTable;
 import mmneat.experiment.store.RunView;
 
 /**
- * An experiment as its files show it: its runs, those included that were asked for and have not begun.
+ * The state of an experiment, read from its files. It includes requested runs that were not started.
  *
  * @param name name of the experiment, for instance {@code blended-2M}
  * @param base its folder
@@ -36,7 +36,7 @@ import mmneat.experiment.store.RunView;
  */
 public record ExperimentView(String name, Path base, List<RunView> runs) {
 
-    /** How deep below the folder that is looked at the folders of runs may lie. */
+    /** Maximum depth of run folders below the given folder. */
     public static final int DEPTH = 5;
 
     private static final String ASKED = ".runs.json";
@@ -45,7 +45,7 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
         runs = List.copyOf(runs);
     }
 
-    /** Runs in a state. */
+    /** Number of runs in a state. */
     public long count(RunView.State state) {
         return runs.stream().filter(run -> run.state() == state).count();
     }
@@ -69,7 +69,7 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
                 String key = base + "/" + run.experiment();
                 bases.put(key, base);
                 names.put(key, run.experiment());
-                // What a run's own folder says counts more than that it was asked for.
+                // The folder of a run overrides the list of requested runs.
                 byExperiment
                         .computeIfAbsent(key, unused -> new TreeMap<>())
                         .merge(run.number(), run, ExperimentView::betterKnown);
@@ -81,7 +81,7 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
         return experiments;
     }
 
-    /** The folder and what lies below it, symbolic links followed; what cannot be looked into is left out. */
+    /** Returns the folder and everything below it. Symbolic links are followed; unreadable folders are left out. */
     private static List<Path> filesBelow(Path folder) throws IOException {
         List<Path> found = new ArrayList<>();
         Files.walkFileTree(folder, Set.of(FileVisitOption.FOLLOW_LINKS), DEPTH, new SimpleFileVisitor<>() {
@@ -130,7 +130,7 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
     }
 
     /**
-     * Remembers in the experiment's folder which runs were asked for, so that those that have not begun are seen as waiting.
+     * Records the requested runs in the experiment's folder, so that runs that were not started are shown as waiting.
      */
     public static void recordAsked(ExperimentPlan plan) throws IOException {
         Path file = plan.base().resolve(plan.name() + ASKED);

@@ -3,33 +3,33 @@ package mmneat.experiment.run;
 import java.time.Duration;
 import java.util.function.LongSupplier;
 
-/** The progress of one run: written by the run's thread, read by any thread. */
+/** The progress of one run. The run's thread writes it; any thread can read it. */
 public final class RunMonitor {
 
-    /** What a run is doing. */
+    /** The phase of a run. */
     public enum Phase {
         WAITING,
         RUNNING,
         FINISHED,
         ALREADY_FINISHED,
         IN_USE,
-        /** Its folder cannot be continued in, and nothing in it was changed. */
+        /** The run cannot be continued in its folder. Nothing in the folder was changed. */
         REFUSED,
         FAILED,
         STOPPED
     }
 
     /**
-     * One moment of a run.
+     * The progress of a run at one moment.
      *
-     * @param phase what the run is doing
-     * @param generation number of the generation at work; the number of all generations when they are done
-     * @param generations generations that are asked for
+     * @param phase the phase
+     * @param generation number of the current generation; the number of all generations when they are complete
+     * @param generations number of requested generations
      * @param best score of the champion of the last complete generation; NaN before the first
      * @param median median score of that generation's parents; NaN before the first
      * @param stepsPerSecond simulated time steps per second
-     * @param portion what portion of all the evaluations of the run is done, in [0, 1]
-     * @param timeLeft estimate of the time to the end; null before anything can be said
+     * @param portion completed share of all evaluations of the run, in [0, 1]
+     * @param timeLeft estimated time to the end; null before an estimate is possible
      */
     public record Snapshot(
             Phase phase,
@@ -66,7 +66,7 @@ public final class RunMonitor {
         return 2L * population * generations;
     }
 
-    /** The run that is watched. */
+    /** The monitored run. */
     public RunPlan run() {
         return run;
     }
@@ -100,7 +100,7 @@ public final class RunMonitor {
         }
     }
 
-    /** Seconds that this process has worked at the run. */
+    /** Seconds that this process has worked on the run. */
     synchronized double seconds() {
         return phase == Phase.WAITING ? 0 : (nanoTime.getAsLong() - startNanos) * 1e-9;
     }
@@ -110,7 +110,7 @@ public final class RunMonitor {
         return seconds > 0 ? steps / seconds : 0;
     }
 
-    /** How the run goes now. */
+    /** Returns the current progress. */
     public synchronized Snapshot snapshot() {
         long done = evaluations - evaluationsBefore;
         Duration timeLeft = null;

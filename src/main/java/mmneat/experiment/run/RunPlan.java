@@ -6,21 +6,23 @@ import mmneat.experiment.parameters.Parameters;
 import mmneat.experiment.store.RunStatus;
 
 /**
- * One run: it needs nothing but its parameters and its own folder, and shares nothing with other runs.
+ * The plan of one run: its number, folder and parameters. A run shares nothing with other runs.
  *
  * @param number number of the run
  * @param directory its folder, {@code <base>/<saveTo><number>}
- * @param prefix what the names of its score files and logs start with, {@code <log><number>_}
- * @param parameters all values, number and seed included
+ * @param prefix prefix of the names of its score files and logs, {@code <log><number>_}
+ * @param parameters all values, including run number and seed
  */
 public record RunPlan(int number, Path directory, String prefix, Parameters parameters) {
 
-    /** Generations that the run is to complete. */
+    /** Number of generations to complete. */
     public int generations() {
         return parameters.integer("maxGens");
     }
 
-    /** The champion score at which the run ends before its last generation ({@code stopAt}); infinity if there is none. */
+    /**
+     * The champion score at which the run ends before its last generation ({@code stopAt}); infinity if there is none.
+     */
     public double stopAt() {
         String text = parameters.text("stopAt");
         try {
@@ -42,7 +44,7 @@ public record RunPlan(int number, Path directory, String prefix, Parameters para
     }
 
     /**
-     * Makes sure that the run has not gone farther than it is to go: generations cannot be taken back.
+     * Checks that the run has not completed more generations than requested, because generations cannot be undone.
      *
      * @throws UserError if it has
      */

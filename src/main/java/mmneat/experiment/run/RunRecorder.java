@@ -19,8 +19,9 @@ import mmneat.experiment.store.RunStatus;
 import mmneat.neat.io.GenotypeJson;
 
 /**
- * Writes the files of a run. A generation's files are held in memory until the next checkpoint is due; then they are written,
- * and the checkpoint after them. Files that were written after a checkpoint are written again when the run is continued from it.
+ * The observer that writes the files of a run. It holds a generation's files in memory until the next checkpoint is
+ * due. Then it writes the files, and after them the checkpoint. A run that continues from a checkpoint writes later
+ * files again.
  */
 final class RunRecorder implements EvolutionObserver {
 
@@ -115,14 +116,14 @@ final class RunRecorder implements EvolutionObserver {
                     (finalParents.number() == 0 ? table.header() : "") + table.row(finalParents));
             folder.flush();
             folder.syncAll();
-            // No checkpoint: that of the last generation stays, so that the run can be continued with more generations.
+            // No checkpoint: that of the last generation remains, so that the run can be continued later.
             record(finalParents, finalParents.number(), RunStatus.State.FINISHED);
         });
     }
 
     private void saveCheckpoint(EvolutionState next, boolean isLast) throws IOException {
-        // The last one must be good for continuing with more generations, when later files have replaced some that it
-        // knows.
+        // The last checkpoint must remain usable for more generations, after later files have replaced some of its
+        // files.
         boolean syncs = isLast || sync.isDue(folder.unsynced().count());
         if (syncs) {
             files.writeNewestNetworks(next);
@@ -172,7 +173,7 @@ final class RunRecorder implements EvolutionObserver {
         }
     }
 
-    /** Ends an evolution from inside its observer; the cause says why. */
+    /** Thrown by the observer to end an evolution; the cause says why. */
     static final class RunStoppedException extends RuntimeException {
         private static final long serialVersionUID = 1;
 

@@ -36,7 +36,7 @@ import mmneat.experiment.store.RunParametersFile;
 import mmneat.experiment.store.RunStatus;
 import mmneat.experiment.store.SymbolicLinks;
 
-/** Does one run, from its beginning or from its checkpoint to its end, on the calling thread. */
+/** Executes one run on the calling thread, from its start or its checkpoint to its end. */
 final class RunWorker {
 
     private final RunPlan run;
@@ -46,13 +46,13 @@ final class RunWorker {
     private final CommitGate gate;
     private final Set<RunLock> heldLocks;
 
-    /** Whether the folder was found to be one that the run can be continued in, so that files in it may change. */
+    /** Whether the folder has passed the checks, so that its files may be changed. */
     private boolean isFolderAccepted;
 
     /**
      * @param tasks makes tasks, each for one thread
      * @param evaluationThreads threads for {@code parallelEvaluations}
-     * @param heldLocks where the run's lock is listed while it is held; safe for many threads
+     * @param heldLocks the set of held locks, to which the run's lock is added while it is held; thread-safe
      */
     RunWorker(
             RunPlan run,
@@ -69,7 +69,7 @@ final class RunWorker {
         this.heldLocks = heldLocks;
     }
 
-    /** Does the run; whatever goes wrong is in the outcome. */
+    /** Executes the run. Every failure is reported in the outcome. */
     RunOutcome work() {
         RunOutcome outcome = outcome();
         monitor.ended(outcome.phase());
@@ -93,7 +93,7 @@ final class RunWorker {
         gate.pass(() -> DurableFiles.makeFolder(run.directory()));
         RunLock lock = RunLock.acquire(run.directory(), RunLock.Timing.USUAL);
         try {
-            // A listed lock is released when the program ends; that must not have happened already.
+            // A listed lock is released when the program ends, so it must be listed before that.
             gate.pass(() -> heldLocks.add(lock));
             return evolveOrFail(lock);
         } finally {
@@ -102,7 +102,7 @@ final class RunWorker {
         }
     }
 
-    /** Evolves; what others are to know of a failure is written as long as the folder is ours. */
+    /** Evolves. A failure is written to the status while this process holds the lock. */
     private RunOutcome evolveOrFail(RunLock lock) {
         try {
             return evolve(lock);
@@ -112,7 +112,7 @@ final class RunWorker {
         }
     }
 
-    /** What becomes of a run that an exception ended. */
+    /** Maps the exception that ended a run to its outcome. */
     private RunOutcome endedBy(Throwable e) {
         if (e instanceof RunRecorder.RunStoppedException || e instanceof UncheckedIOException) {
             return endedBy(e.getCause());
@@ -138,7 +138,9 @@ final class RunWorker {
         return e instanceof IOException file ? failed(fileMessage(file), null) : failed(e.toString(), e);
     }
 
-    /** Whether the run was interrupted; an interruption during writing shows as an exception of the file's channel. */
+    /**
+     * Whether the run was interrupted. An interruption during writing appears as an exception of the file's channel.
+     */
     private static boolean isInterruption(Throwable e) {
         return e instanceof CancellationException
                 || e instanceof InterruptedException
@@ -194,7 +196,10 @@ final class RunWorker {
         }
     }
 
-    /** The checkpoint comes first: without one, a folder with files in it belongs to another run. */
+    /**
+     * Creates the initial state and writes the checkpoint before all other files. A folder with files but no checkpoint
+     * belongs to another run.
+     */
     private static EvolutionState begin(
             EvolutionState initial, RunFolder folder, RunFiles files, CheckpointFile checkpoint) throws IOException {
         checkpoint.save(Checkpoint.of(initial, Map.of(), new TreeMap<>()));
@@ -258,7 +263,7 @@ final class RunWorker {
         return new RunOutcome(run, RunMonitor.Phase.FAILED, null, message, failure);
     }
 
-    /** The outcome with the status that says so; how far the run had come stays in it. */
+    /** Writes the failure to the status, which keeps the run's progress, and returns the outcome with it. */
     private RunOutcome recorded(RunOutcome failed, RunLock lock) {
         try {
             RunStatus last = RunStatus.read(run.directory())
@@ -271,7 +276,7 @@ final class RunWorker {
             });
             return new RunOutcome(run, failed.phase(), status, failed.message(), failed.failure());
         } catch (Exception e) {
-            // The likeliest failure is a full disk; the message still reaches the user.
+            // The most likely failure is a full disk. The message still reaches the user.
             return new RunOutcome(run, failed.phase(), null, failed.message(), withSuppressed(failed.failure(), e));
         }
     }

@@ -14,13 +14,13 @@ import mmneat.experiment.store.RunStatus;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * Several experiments that are asked for in one go: every published combination of the tasks and methods that are listed.
+ * A set of experiments: every published combination of the listed tasks and methods.
  *
- * <p>Words as on the command line, where {@code task} and {@code method} may be lists: {@code task=blended,isolated
- * method=1M,2M}. {@code method=all} means all published methods of each task.
+ * <p>It is described by words as on the command line, in which {@code task} and {@code method} may be lists: {@code
+ * task=blended,isolated method=1M,2M}. {@code method=all} means all published methods of each task.
  *
  * @param parts the experiments, tasks first, in the order of the words; not empty
- * @param remarks what the user should know, a line each: combinations that were not published and so are left out
+ * @param remarks messages to the user, one line each: combinations that were not published and are left out
  */
 public record Study(List<Part> parts, List<String> remarks) {
 
@@ -32,9 +32,9 @@ public record Study(List<Part> parts, List<String> remarks) {
     }
 
     /**
-     * The experiments that the words ask for.
+     * Returns the experiments that the words describe.
      *
-     * @throws UserError for words that are not understood, or if no combination was published
+     * @throws UserError if a word is invalid, or if no combination was published
      */
     public static Study of(List<String> words, ParameterCatalogue catalogue) {
         List<String> tasks = list(words, "task", "");
@@ -48,7 +48,7 @@ public record Study(List<Part> parts, List<String> remarks) {
         List<String> common = words.stream()
                 .filter(word -> !isNamed(word, "task") && !isNamed(word, "method"))
                 .toList();
-        // A name that is no method at all is a mistake, not a combination that was not published.
+        // An unknown method is an error, not an unpublished combination.
         List<String> known = methods.contains(ALL)
                 ? List.of()
                 : methods.stream()
@@ -90,7 +90,10 @@ public record Study(List<Part> parts, List<String> remarks) {
                                 + NearestName.suggestion(task, TaskVersion.labels())));
     }
 
-    /** The values of a word that may be a list; {@code otherwise} alone if it is not there, nothing if that is empty. */
+    /**
+     * Returns the values of a word that may be a list. If the word is missing, the result is {@code otherwise}, or
+     * empty if that is empty.
+     */
     private static List<String> list(List<String> words, String name, String otherwise) {
         List<String> values = new ArrayList<>();
         words.stream()
@@ -114,7 +117,7 @@ public record Study(List<Part> parts, List<String> remarks) {
      * One experiment of the study.
      *
      * @param plan its runs
-     * @param words what describes it on a command line
+     * @param words the words that describe it on a command line
      */
     public record Part(ExperimentPlan plan, List<String> words) {
 
@@ -123,7 +126,7 @@ public record Study(List<Part> parts, List<String> remarks) {
         }
 
         /**
-         * Numbers of the runs that are not complete, as their folders tell.
+         * Returns the numbers of the runs that are not complete, according to their folders.
          *
          * @throws UserError if a folder cannot be read
          */

@@ -4,15 +4,18 @@ import java.time.Duration;
 import java.util.function.LongSupplier;
 
 /**
- * When a run waits until its files are on the disk. A failure of the machine then costs little work, all of which is done again
- * with the same result; a failure of the program alone costs nothing in between either.
+ * The schedule by which a run syncs its files to the disk. After a failure of the machine, the work since the last sync
+ * is done again with the same result. A failure of the program alone loses no synced or unsynced files.
  */
 final class SyncSchedule {
 
-    /** About what the failure of a machine may cost. */
+    /** Approximate limit of the work that a failure of the machine may cost. */
     private static final Duration LONGEST = Duration.ofSeconds(30);
 
-    /** Checkpoints tell of every file that was not synced, and should stay small beside a population. */
+    /**
+     * Maximum number of unsynced files. Checkpoints record each, and the record should be small compared with a
+     * population.
+     */
     private static final int MOST_FILES = 500;
 
     private final LongSupplier nanoTime;
@@ -23,12 +26,12 @@ final class SyncSchedule {
         this.nanoTime = nanoTime;
     }
 
-    /** Whether it is time, with so many files that may not be on the disk. The first time it always is. */
+    /** Whether a sync is due, given the number of unsynced files. The first time it is always due. */
     boolean isDue(int unsyncedFiles) {
         return isFirst || unsyncedFiles >= MOST_FILES || nanoTime.getAsLong() - lastNanos >= LONGEST.toNanos();
     }
 
-    /** Notes that everything is on the disk. */
+    /** Records that all files were synced. */
     void done() {
         isFirst = false;
         lastNanos = nanoTime.getAsLong();

@@ -1,4 +1,5 @@
 /**
- * Runs: the plan of an experiment, the workers that do its runs side by side, and the monitors of their progress.
+ * The execution of runs: the plan of an experiment, the workers that execute its runs in parallel, and the monitors of
+ * their progress.
  */
 package mmneat.experiment.run;
