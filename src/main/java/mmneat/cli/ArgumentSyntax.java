@@ -15,21 +15,22 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
 /**
- * Prepares the arguments of a command for picocli, which knows options such as {@code games=3} but not their other forms.
+ * A preprocessor of command line arguments for picocli, which supports options such as {@code games=3} but not their
+ * other forms.
  *
  * <ul>
  *   <li>{@code games:3}, the original's form, becomes {@code games=3} if the command has an option {@code games}.
  *   <li>An option given twice keeps its last value; a remark says so.
- *   <li>A word that is neither an option nor a positional parameter of the command is an error that suggests the nearest
- *       name. Without this, picocli would take {@code sed=1} for a file name.
+ *   <li>A word that is neither an option nor a positional parameter of the command is an error; its message suggests the
+ *       nearest name. Without this, picocli would treat {@code sed=1} as a file name.
  * </ul>
  */
 final class ArgumentSyntax implements IParameterPreprocessor {
 
-    /** Label of positional parameters that are parameters of an experiment: every {@code name=value} is allowed there. */
+    /** Label of positional parameters that accept every {@code name=value}: the parameters of an experiment. */
     static final String PARAMETER = "NAME=VALUE";
 
-    /** A name is letters, digits, dots, dashes and underscores; the first sign after it ends it. */
+    /** A name of letters, digits, dots, dashes and underscores, then the separator and the value. */
     private static final Pattern NAMED = Pattern.compile("([A-Za-z][A-Za-z0-9._-]*)([=:])(.*)", Pattern.DOTALL);
 
     @Override
@@ -57,7 +58,7 @@ final class ArgumentSyntax implements IParameterPreprocessor {
         for (String word : words) {
             Matcher named = NAMED.matcher(word);
             if (command.optionsMap().containsKey(word) && !names.contains(word)) {
-                // --help and the like.
+                // Options such as --help.
                 options.put(word, word);
             } else if (named.matches() && names.contains(named.group(1))) {
                 String name = named.group(1);
@@ -97,7 +98,7 @@ final class ArgumentSyntax implements IParameterPreprocessor {
         Matcher named = NAMED.matcher(word);
         boolean looksLikeOption = named.matches();
         boolean hasRoom = before < capacity(command);
-        // A file name may contain a colon (a drive letter, a time), but not look like an assignment.
+        // A file name may contain a colon (a drive letter, a time) but must not look like an assignment.
         if (hasRoom && !(looksLikeOption && named.group(2).equals("="))) {
             return;
         }
@@ -107,7 +108,7 @@ final class ArgumentSyntax implements IParameterPreprocessor {
         throw new UserError("'" + word + "' is not understood; write name=value" + NearestName.suggestion(word, names));
     }
 
-    /** Whether a command takes parameters of an experiment beside its options. */
+    /** Whether a command accepts parameters of an experiment in addition to its options. */
     static boolean takesParameters(CommandSpec command) {
         return command.positionalParameters().stream()
                 .anyMatch(parameter -> parameter.paramLabel().equals(PARAMETER));

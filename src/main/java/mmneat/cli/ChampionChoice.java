@@ -7,7 +7,7 @@ import mmneat.analysis.evaluation.ShippedChampions;
 import mmneat.experiment.UserError;
 import picocli.CommandLine.Option;
 
-/** The option {@code champion=}: a network that comes with the program, instead of a file or the folder of a run. */
+/** The option {@code champion=}: a shipped network, instead of a file or the folder of a run. */
 final class ChampionChoice {
 
     private static final class Versions extends ArrayList<String> {
@@ -32,8 +32,8 @@ final class ChampionChoice {
      * Reads the network that the user chose.
      *
      * @param file the folder of a run or the file of a network; null if none is given
-     * @param otherwise version of the champion to read if neither is given; null if that is an error
-     * @throws UserError if no network is chosen, or two
+     * @param otherwise version of the champion to read if neither is given; if null, that is an error
+     * @throws UserError if no network or more than one is chosen
      */
     Champion read(Path file, String otherwise) {
         if (file != null) {

@@ -15,7 +15,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Compares the champions of several experiments with the paper's statistics. */
+/** The command {@code compare}: compares the champions of several experiments with the paper's statistics. */
 @Command(
         name = "compare",
         customSynopsis = "mmneat compare EXPERIMENT... [name=value...]",

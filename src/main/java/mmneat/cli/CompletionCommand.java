@@ -11,10 +11,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 
 /**
- * Prints a shell script that completes commands, options and values.
+ * The command {@code completion}: prints a shell script that completes commands, options and values.
  *
- * <p>picocli's own generator completes only options that begin with a dash, so the script is made here, from the same
- * specifications that parse the options.
+ * <p>picocli's generator only completes options that start with a dash. So this class generates the script, from the
+ * specifications that also parse the options.
  */
 @Command(
         name = "completion",
@@ -80,7 +80,7 @@ final class CompletionCommand extends ConsoleCommand implements Runnable {
             }
         }
         for (Parameter parameter : parameters()) {
-            // The task may also be a class, so that the catalogue has no list for it.
+            // The task may also be a class, so the catalogue has no list of its values.
             List<String> values = parameter.name().equals("task") ? new TaskOption.Versions() : parameter.choices();
             appendCase(script, "*:" + parameter.name(), values);
         }
@@ -103,7 +103,7 @@ final class CompletionCommand extends ConsoleCommand implements Runnable {
         }
     }
 
-    /** The words that a command takes. */
+    /** Returns the words that a command accepts. */
     private static List<String> words(CommandSpec command) {
         List<String> words = new ArrayList<>();
         ArgumentSyntax.names(command).forEach(name -> words.add(name + "="));
@@ -114,7 +114,7 @@ final class CompletionCommand extends ConsoleCommand implements Runnable {
         return words;
     }
 
-    /** The values of an option; none if they cannot be listed. */
+    /** Returns the values of an option; empty if they cannot be listed. */
     private static List<String> values(OptionSpec option) {
         if (option.completionCandidates() != null) {
             return StreamSupport.stream(option.completionCandidates().spliterator(), false)

@@ -9,7 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** A command with access to the console and to the options that were given. */
+/** Base class of commands, with access to the console and to the given options. */
 @Command(mixinStandardHelpOptions = true, sortOptions = false, usageHelpWidth = 100)
 abstract class ConsoleCommand {
 
@@ -49,7 +49,7 @@ abstract class ConsoleCommand {
     /**
      * Refuses an option where it has no effect.
      *
-     * @param hasEffect whether it has one
+     * @param hasEffect whether it has an effect
      * @param reason what the option needs, for the message
      * @throws UserError if the option was given and has no effect
      */
@@ -60,7 +60,7 @@ abstract class ConsoleCommand {
         }
     }
 
-    /** The folders that name experiments; at least one. */
+    /** Returns the folders of experiments, and checks that there is at least one. */
     final List<Path> requireExperiments(List<Path> experiments) {
         if (experiments == null || experiments.isEmpty()) {
             throw new UserError(

@@ -4,7 +4,7 @@ import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 
-/** The screen, for the few commands that open a window; pictures are drawn without one. */
+/** Access to the screen, for the few commands that open a window. Pictures are drawn without a screen. */
 final class Display {
 
     private static final String HEADLESS = "java.awt.headless";
@@ -12,8 +12,8 @@ final class Display {
     private Display() {}
 
     /**
-     * Makes sure that drawing never looks for a screen: one that is named and cannot be reached, as that of a connection that is
-     * gone, would end the program.
+     * Makes Java draw without a screen. Otherwise a configured screen that cannot be reached, for example after a lost
+     * connection, would end the program.
      */
     static void drawWithoutScreen() {
         System.setProperty(HEADLESS, "true");
@@ -25,7 +25,7 @@ final class Display {
             return !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
         } catch (AWTError | HeadlessException | NoClassDefFoundError e) {
-            // One that cannot be reached; the second time it is asked for, its class is missing.
+            // The screen cannot be reached. On a second attempt Java reports a missing class instead.
             return false;
         }
     }

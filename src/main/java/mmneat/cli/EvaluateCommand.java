@@ -25,7 +25,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Lets champions play many games after evolution. */
+/** The command {@code evaluate}: champions play many games after evolution. */
 @Command(
         name = "evaluate",
         customSynopsis = "mmneat evaluate EXPERIMENT|FILE... [name=value...]",
@@ -129,7 +129,7 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
         }
     }
 
-    /** The champions of all runs in the folders, the networks in the files, or the shipped champion. */
+    /** Returns the champions of all runs in the folders, the networks in the files, or the shipped champion. */
     private List<Champion> champions() {
         List<Champion> champions = new ArrayList<>();
         if (choice.isGiven()) {
@@ -145,7 +145,7 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
                         .forEach(run -> champions.add(jar.allow(Champion.read(run.folder()))));
             }
         }
-        // Who is named twice, as a folder and as a file for example, plays once.
+        // A champion that is named twice, for example as a folder and as a file, plays once.
         Map<Path, Champion> byFile = new LinkedHashMap<>();
         champions.forEach(
                 champion -> byFile.putIfAbsent(champion.file().toAbsolutePath().normalize(), champion));

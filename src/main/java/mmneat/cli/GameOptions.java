@@ -72,7 +72,7 @@ final class GameOptions {
     @Range(min = 0, max = 3)
     private int powerPill;
 
-    /** The rules that the options choose; {@code otherwise} applies if {@code rules=} is not given. */
+    /** Returns the rules that the options choose, based on {@code otherwise} if {@code rules=} is not given. */
     GameRules rules(GameRules otherwise) {
         for (String name : List.of("powerPill", "ghostLocations")) {
             ConsoleCommand.requireEffect(
@@ -88,7 +88,9 @@ final class GameOptions {
         return chosen.withMazes(mazes -> mazes.withMazes(mazes(maze)));
     }
 
-    /** Recorded ghost locations belong to their mazes, which keep their numbers. */
+    /**
+     * Returns the number of a recorded maze. Recorded ghost locations belong to their mazes, which keep their numbers.
+     */
     private static int recordedMaze(String name) {
         int index = MAZES.indexOf(name.toLowerCase(Locale.ROOT));
         if (index < 0) {

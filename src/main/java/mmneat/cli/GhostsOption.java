@@ -28,7 +28,7 @@ final class GhostsOption {
                     "Recorded ghost locations, for the isolated version of the task (default: those of the run, or ours).")
     private Path file;
 
-    /** The settings with which a champion plays. */
+    /** Returns the settings with which a champion plays. */
     MsPacManTaskSettings settings(Champion champion, TaskOption task, Rules rules) {
         // A version that does not use the file refuses the option, whether the file exists or not.
         MsPacManTaskSettings settings =
@@ -40,12 +40,12 @@ final class GhostsOption {
         return settings;
     }
 
-    /** The same; empty if the champion was evolved for another task than Ms. Pac-Man. */
+    /** As {@link #settings}; empty if the champion was evolved for another task than Ms. Pac-Man. */
     Optional<MsPacManTaskSettings> findSettings(Champion champion, TaskOption task, Rules rules) {
         return PlayerSettings.find(champion, task.version(), rules, file());
     }
 
-    /** The file, which can be read; empty if the option is not given. */
+    /** Returns the file after checking that it is readable; empty if the option is not given. */
     Optional<Path> readableFile() {
         requireReadable();
         return file();

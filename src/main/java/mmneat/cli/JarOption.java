@@ -16,12 +16,12 @@ final class JarOption {
                             + " never brings code along by itself.")
     private Path jar;
 
-    /** The champion with this jar for the classes of its run. */
+    /** Returns the champion, with this jar for the classes of its run. */
     Champion allow(Champion champion) {
         return champion.withJar(file());
     }
 
-    /** The jar; empty if none is named. */
+    /** The jar; empty if none is given. */
     Optional<Path> file() {
         return Optional.ofNullable(jar);
     }

@@ -17,13 +17,14 @@ import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunOutcome;
 import mmneat.experiment.store.DurableFiles;
 
-/** The learning curve of an experiment, of any task, as a picture in its folder. */
+/** Draws the learning curve of an experiment, of any task, into its folder. */
 final class LearningCurve {
 
     private LearningCurve() {}
 
     /**
-     * Writes {@code <name>_learning-curve.svg} beside the folders of the complete runs, and {@code .png} if this machine has fonts.
+     * Writes {@code <name>_learning-curve.svg} beside the folders of the complete runs, and {@code .png} if this
+     * machine has fonts.
      *
      * @return the SVG file; empty if no run is complete
      */

@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
 /**
  * Entry point of {@code mmneat.jar}: finds the command and runs it.
  *
- * <p>Exit codes: 0 done, 1 a failure of ours (with a stack trace), 2 a mistake of the user (one line).
+ * <p>Exit codes: 0 success, 1 a bug of the program (with a stack trace), 2 an error of the user (one line).
  */
 @Command(
         name = "mmneat",
@@ -96,7 +96,8 @@ public final class Main implements Callable<Integer> {
     }
 
     /**
-     * Runs a command and reports if its output could not be written. A pipe that was closed by its reader is no failure.
+     * Runs a command and reports if its output could not be written. A pipe that was closed by its reader is no
+     * failure.
      *
      * @return the exit code of the command; 2 if it succeeded but its output could not be written
      */
@@ -122,7 +123,7 @@ public final class Main implements Callable<Integer> {
         return common(main);
     }
 
-    /** Sets how a command reads its options, and what becomes of errors. */
+    /** Sets how a command parses its options and handles errors. */
     static CommandLine configure(CommandLine line) {
         line.getCommandSpec().preprocessor(new ArgumentSyntax());
         line.getCommandSpec().versionProvider(new Version());
@@ -131,7 +132,7 @@ public final class Main implements Callable<Integer> {
 
     private static CommandLine common(CommandLine line) {
         OptionValues.register(line);
-        // Unknown options are refused by ArgumentSyntax; picocli would guess by the letters that words have in common.
+        // ArgumentSyntax refuses unknown options with a better suggestion than picocli.
         line.setUnmatchedOptionsArePositionalParams(true);
         line.setAllowOptionsAsOptionParameters(true);
         line.setPosixClusteredShortOptionsAllowed(false);
@@ -157,7 +158,9 @@ public final class Main implements Callable<Integer> {
         return new CommandLine.RunLast().execute(parsed);
     }
 
-    /** Without a command: the main job; without any word: the few commands that a newcomer needs. */
+    /**
+     * Runs the main job if no command is given; prints the first commands for a newcomer if there are no words at all.
+     */
     @Override
     public Integer call() throws Exception {
         CommandLine line = command.commandLine();
@@ -169,7 +172,7 @@ public final class Main implements Callable<Integer> {
         return new MainJob(words, line.getOut(), line.getErr()).call();
     }
 
-    /** A first word without "=" or ":" was meant to be a command. */
+    /** Refuses a first word without "=" or ":", which was meant to be a command. */
     private void requireParameters(CommandLine line) {
         String first = words.get(0);
         if (first.startsWith("-")) {
@@ -194,7 +197,7 @@ public final class Main implements Callable<Integer> {
         return mistake.isPresent() ? ExitCode.USAGE : ExitCode.SOFTWARE;
     }
 
-    /** The one-line message of a user's mistake; empty for a failure of the program. */
+    /** Returns the one-line message of a user's error; empty for a bug of the program. */
     private static Optional<String> mistake(Exception failure) {
         if (failure instanceof UserError) {
             return Optional.of(failure.getMessage());

@@ -24,16 +24,16 @@ import picocli.CommandLine.ExitCode;
 /**
  * The main job: runs the evolutions that the parameters describe, shows their progress and prints their scores.
  *
- * <p>Exit codes: 0 all runs are complete; 1 a run failed; 2 a mistake of the user; 3 a run is in use by another process.
- * When it is interrupted the state is that of the last complete generation, and the code is the system's: 130 after Ctrl-C, 143
- * after SIGTERM.
+ * <p>Exit codes: 0 all runs are complete; 1 a run failed; 2 an error of the user; 3 a run is locked by another process.
+ * If it is interrupted, the state is that of the last complete generation, and the exit code is that of the system: 130
+ * after Ctrl-C, 143 after SIGTERM.
  */
 final class MainJob implements Callable<Integer> {
 
-    /** A run is in use by another process. */
+    /** Exit code: a run is locked by another process. */
     static final int IN_USE = 3;
 
-    /** How long an interrupted program finishes what it is writing; less than the five seconds schedulers give at least. */
+    /** Time limit for current writes of an interrupted program; schedulers wait at least five seconds. */
     private static final Duration LAST_WRITES = Duration.ofSeconds(4);
 
     private static final Set<RunMonitor.Phase> FAILURES = EnumSet.of(RunMonitor.Phase.FAILED, RunMonitor.Phase.STOPPED);
@@ -75,7 +75,7 @@ final class MainJob implements Callable<Integer> {
         for (RunOutcome outcome : outcomes) {
             reportTrouble(outcome);
         }
-        // A run that is one job of many writes into its own folder only.
+        // A run that is one of many jobs writes only into its own folder.
         boolean oneOfMany =
                 plan.parameters().isGiven("run") || plan.parameters().isGiven("runNumber");
         if (!quiet) {
@@ -88,7 +88,7 @@ final class MainJob implements Callable<Integer> {
         return exitCode(outcomes);
     }
 
-    /** False if the program is being ended just now: then the hook has the last word. */
+    /** Removes the hook. Returns false if the program is already ending; then the hook reports the result. */
     private static boolean removeHook(Thread hook) {
         try {
             return Runtime.getRuntime().removeShutdownHook(hook);
@@ -119,7 +119,7 @@ final class MainJob implements Callable<Integer> {
         }
     }
 
-    /** Runs when the process is told to end: Ctrl-C, SIGTERM. */
+    /** Called when the process is asked to end: Ctrl-C, SIGTERM. */
     private void halt(ExperimentRunner experiment, Progress progress) {
         progress.close();
         boolean finished;

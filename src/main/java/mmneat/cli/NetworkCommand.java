@@ -21,7 +21,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code network FILE}: draws a saved network, or writes it in another form. */
+/** The command {@code network}: draws a saved network, or writes it in another format. */
 @Command(
         name = "network",
         customSynopsis = "mmneat network [FILE] [name=value...]",
@@ -44,7 +44,7 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
         }
     }
 
-    /** The formats that name inputs. */
+    /** The formats that contain the names of inputs. */
     private static final List<String> LABELLED = List.of("svg", "dot", "graphml");
 
     private static final Path STANDARD_OUTPUT = Path.of("-");

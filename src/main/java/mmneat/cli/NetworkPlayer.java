@@ -18,10 +18,10 @@ import mmneat.mspacman.modules.ModuleDivisions;
 import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 
-/** Ms. Pac-Man's controller with an evolved network: a run's champion, a file, or one that comes with the program. */
+/** Loads Ms. Pac-Man's controllers with an evolved network: a run's champion, a file, or a shipped champion. */
 final class NetworkPlayer {
 
-    /** A champion that comes with the program is named by this and its version. */
+    /** Prefix of the names of shipped champions; the version of the task follows. */
     static final String SHIPPED = "champion:";
 
     private NetworkPlayer() {}
@@ -32,7 +32,10 @@ final class NetworkPlayer {
         return lower.startsWith(SHIPPED) || lower.endsWith(".json") || lower.endsWith(".xml") || isFolder(name);
     }
 
-    /** A name without a slash may be a class whose package is a folder in the working folder. */
+    /**
+     * Whether a name is a folder. A name without a slash may also be a class whose package is a folder in the working
+     * folder.
+     */
     private static boolean isFolder(String name) {
         Path folder = Path.of(name);
         return Files.isDirectory(folder) && (folder.getNameCount() > 1 || Champion.isIn(folder));
@@ -51,13 +54,13 @@ final class NetworkPlayer {
     }
 
     /**
-     * Makes controllers with a network. One of a run senses and chooses as the run's parameters say, another as the published
-     * networks with as many inputs.
+     * Returns a factory of controllers with a network. The parameters of a run determine the sensors and module choice
+     * of its networks. Other networks use those of the published networks with the same number of inputs.
      *
      * @param name a run's folder, a file, or {@link #SHIPPED} and a version
-     * @param division of a multitask network, if the user says one
-     * @param jar for the classes that the parameters of the network's run name
-     * @throws UserError if there is no network, or one that does not play Ms. Pac-Man
+     * @param division the division of a multitask network, if the user gives one
+     * @param jar the jar of the classes that the parameters of the network's run name
+     * @throws UserError if there is no network, or it does not play Ms. Pac-Man
      */
     static Supplier<Controller<MOVE>> read(String name, Optional<String> division, long seed, JarOption jar) {
         Champion champion = jar.allow(champion(name));
@@ -68,7 +71,7 @@ final class NetworkPlayer {
         try {
             ModuleDivision asked = division.map(ModuleDivisions::named).orElse(null);
             Supplier<Controller<MOVE>> players = players(champion, asked, seed);
-            // A network that does not fit is found before the first game.
+            // This detects a network that does not fit before the first game.
             players.get();
             return players;
         } catch (IllegalArgumentException e) {

@@ -17,16 +17,16 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.TypeConversionException;
 
 /**
- * The values of options: how their text is read, which of them are allowed, and the message for one that is not.
+ * Parsing and checking of option values, and the messages for values that are not allowed.
  *
- * <p>Numbers have a {@link Range}. Options of type String with completion candidates accept these values only, in upper or
- * lower case.
+ * <p>Numbers have a {@link Range}. Options of type String with completion candidates accept these values only, in upper
+ * or lower case.
  */
 final class OptionValues {
 
     private OptionValues() {}
 
-    /** Sets how the text of values is read. */
+    /** Registers the parsers of values. */
     static void register(CommandLine line) {
         line.registerConverter(Integer.class, text -> Integer.valueOf(digits(text)));
         line.registerConverter(int.class, text -> Integer.valueOf(digits(text)));
@@ -61,7 +61,8 @@ final class OptionValues {
     }
 
     /**
-     * Checks the values of a command against their ranges and choices, and gives choices the case in which they are declared.
+     * Checks the values of a command against their ranges and choices, and gives choices the case in which they are
+     * declared.
      *
      * @throws UserError if a value is not allowed
      */
@@ -87,7 +88,7 @@ final class OptionValues {
         }
     }
 
-    /** What is wrong with the value of an option; empty if picocli refused the arguments for another reason. */
+    /** Returns the error of an option's value; empty if picocli refused the arguments for another reason. */
     static Optional<UserError> refusal(ParameterException mistake) {
         if (mistake.getCause() instanceof UserError error) {
             return Optional.of(error);
@@ -100,7 +101,7 @@ final class OptionValues {
         return badValue(((OptionSpec) option).longestName(), text, allowed(option, text));
     }
 
-    /** The error for a value that is not allowed. */
+    /** Returns the error for a value that is not allowed. */
     static UserError badValue(String name, String value, String allowed) {
         return new UserError(name + "=" + value + ": must be " + allowed);
     }

@@ -8,15 +8,15 @@ import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DurableFiles;
 
-/** Files that a user asked a command to write. */
+/** Writes files that the user named. */
 final class OutputFile {
 
     private OutputFile() {}
 
     /**
-     * Makes sure, before long work, that a file can be written where it is wanted.
+     * Checks that a file can be written, before a long computation.
      *
-     * @param word whose value it is
+     * @param word the option with this file, for messages
      */
     static void require(String word, Path file) {
         if (Files.isDirectory(file)) {
@@ -32,12 +32,12 @@ final class OutputFile {
         }
     }
 
-    /** Writes a text, making the folders on the way. */
+    /** Writes a text, and makes missing folders. */
     static void write(Path file, String text) {
         write(file, text.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Writes bytes, making the folders on the way. If that fails, an old file of this name stays as it is. */
+    /** Writes bytes, and makes missing folders. If that fails, an existing file stays unchanged. */
     static void write(Path file, byte[] content) {
         try {
             DurableFiles.writeNamed(file, content);

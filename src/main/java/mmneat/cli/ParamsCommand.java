@@ -8,7 +8,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Parameters;
 
-/** Lists the parameters, or tells everything about one. */
+/** The command {@code params}: lists the parameters, or describes one. */
 @Command(
         name = "params",
         customSynopsis = "mmneat params [NAME|all]",

@@ -30,10 +30,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
- * Plays games between two controllers and prints what they scored.
+ * The command {@code play}: plays games between two controllers and prints their scores.
  *
- * <p>Each game gets new controllers, and a seed drawn from a generator with the seed given: the same words give the same
- * games.
+ * <p>Each game has new controllers, and a seed drawn from a generator with the given seed. So the same words give the
+ * same games.
  */
 @Command(
         name = "play",
@@ -215,7 +215,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
                 check.equals("repeat"));
     }
 
-    /** A human's game goes on without him, and one that is shown at the pace of the clock. */
+    /** Returns the time limit: real time for games of a human player and for shown games. */
     private Timing timing(boolean isHuman, boolean isShown) {
         if (timed.equals(UNTIMED) && !isHuman) {
             return Timing.NONE;
@@ -242,7 +242,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
         return new Contestant<>(factory.name(), factory.origin(), factory::create);
     }
 
-    /** What is on the class path of one side is looked for there first, then on that of both. */
+    /** Returns the loader of one side, which searches the side's class path first, then the common one. */
     private ControllerLoader loader(String option, String ownClassPath) {
         List<Path> both = places(classPath);
         List<Path> own = places(ownClassPath);

@@ -15,7 +15,10 @@ import mmneat.experiment.store.RunLayout;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** Summarises runs as the original's mode of that name does: for those who have scripts for its files. */
+/**
+ * The command {@code process}: summarises runs like the original's mode of that name, for existing scripts that use its
+ * files.
+ */
 @Command(
         name = "process",
         customSynopsis = "mmneat process NAME=VALUE...",

@@ -10,10 +10,12 @@ import mmneat.experiment.run.RunMonitor;
 import mmneat.experiment.run.RunMonitor.Phase;
 import mmneat.experiment.run.RunMonitor.Snapshot;
 
-/** The progress of an experiment: a line for each run at work and one for all runs; shown by a {@link ProgressTicker}. */
+/**
+ * The progress of an experiment: one line per active run and one for all runs, which a {@link ProgressTicker} shows.
+ */
 final class Progress {
 
-    /** Maximum number of runs at work that have a line of their own. */
+    /** Maximum number of active runs that have their own line. */
     private static final int MOST_LINES = 16;
 
     private final List<RunMonitor> monitors;
@@ -43,7 +45,7 @@ final class Progress {
         return progress;
     }
 
-    /** A line for each run at work, and one for all. */
+    /** Returns one line per active run, and one for all. */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         List<Snapshot> snapshots = new ArrayList<>();
@@ -67,12 +69,12 @@ final class Progress {
         return lines;
     }
 
-    /** Whether this process has nothing more to do for the run. */
+    /** Whether this process has finished its work on the run. */
     private static boolean isOver(Phase phase) {
         return phase != Phase.RUNNING && phase != Phase.WAITING;
     }
 
-    /** How many runs are done, and how many never will be by this process. */
+    /** Returns how many runs are complete, and how many this process will not complete. */
     static String counts(List<Snapshot> runs) {
         return count(runs, Phase.FINISHED) + count(runs, Phase.ALREADY_FINISHED) + " of " + runs.size() + " done"
                 + others(runs, Phase.IN_USE, "in use elsewhere")
@@ -94,7 +96,7 @@ final class Progress {
         String scores = Double.isNaN(now.best())
                 ? "first generation"
                 : "best " + Numbers.score(now.best()) + ", median " + Numbers.score(now.median());
-        // What may not fit into 80 columns stands last.
+        // The part that may exceed 80 columns comes last.
         return "run " + number + ": generation " + now.generation() + "/" + now.generations() + ", " + scores + ", "
                 + (now.timeLeft() == null ? "" : QuantityText.duration(now.timeLeft()) + " left, ")
                 + QuantityText.rate(now.stepsPerSecond());
@@ -102,7 +104,7 @@ final class Progress {
 
     private String timeLeft(double portion) {
         if (Double.isNaN(portionAtStart)) {
-            // What earlier sessions did is known after the runs at work have begun.
+            // The progress of earlier sessions is known after the active runs have started.
             portionAtStart = portion;
             startNanos = System.nanoTime();
         }

@@ -10,8 +10,8 @@ import java.util.function.Supplier;
 import mmneat.evolution.DaemonThreads;
 
 /**
- * Shows the progress of a long command while it works. A terminal shows the current lines, redrawn in place. A log file or a
- * dumb terminal gets the lines after 5 s, and then at intervals that double up to 10 minutes.
+ * Shows the progress of a long command. A terminal shows the current lines, redrawn in place. A log file or a dumb
+ * terminal receives the lines after 5 s, and then at intervals that double up to 10 minutes.
  */
 final class ProgressTicker {
 
@@ -21,7 +21,9 @@ final class ProgressTicker {
 
     private static final String UP_AND_CLEAR = "\u001b[1A\u001b[2K";
 
-    /** Turns off line wrapping: a line wider than the terminal must stay one line, because lines are cleared one by one. */
+    /**
+     * Turns off line wrapping: a line wider than the terminal must stay one line, because lines are cleared one by one.
+     */
     private static final String WITHOUT_WRAPPING = "\u001b[?7l";
 
     private static final String WRAPPING_AGAIN = "\u001b[?7h";
@@ -42,7 +44,7 @@ final class ProgressTicker {
     /**
      * Starts to show lines.
      *
-     * @param lines makes the current lines; called by the ticker's thread; no lines if there is nothing to say yet
+     * @param lines returns the current lines, or none if there is no progress yet; the ticker's thread calls it
      */
     static ProgressTicker start(PrintWriter out, Supplier<List<String>> lines) {
         ProgressTicker ticker = new ProgressTicker(out, lines);

@@ -3,7 +3,7 @@ package mmneat.cli;
 import java.time.Duration;
 import java.util.Locale;
 
-/** Percentages, rates and durations as text. */
+/** Formats percentages, rates and durations. */
 final class QuantityText {
 
     private QuantityText() {}
@@ -12,7 +12,7 @@ final class QuantityText {
         return String.format(Locale.ROOT, "%.0f%%", portion * 100);
     }
 
-    /** Simulated time steps per second. */
+    /** Formats simulated time steps per second. */
     static String rate(double stepsPerSecond) {
         if (stepsPerSecond >= 1e6) {
             return String.format(Locale.ROOT, "%.1fM steps/s", stepsPerSecond / 1e6);
@@ -23,7 +23,7 @@ final class QuantityText {
         return String.format(Locale.ROOT, "%.0f steps/s", stepsPerSecond);
     }
 
-    /** A time in its two largest units. */
+    /** Formats a duration in its two largest units. */
     static String duration(Duration time) {
         long seconds = Math.round(time.toMillis() / 1000.0);
         if (seconds < 60) {

@@ -18,7 +18,10 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Records where the ghosts are when a champion eats power pills, for the isolated task. */
+/**
+ * The command {@code record-ghosts}: records the locations of the ghosts when a champion eats power pills, for the
+ * isolated task.
+ */
 @Command(
         name = "record-ghosts",
         customSynopsis = "mmneat record-ghosts [FILE] [name=value...]",

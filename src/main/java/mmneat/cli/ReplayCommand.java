@@ -18,7 +18,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Shows a recorded game. */
+/** The command {@code replay}: shows a recorded game. */
 @Command(
         name = "replay",
         customSynopsis = "mmneat replay FILE [name=value...]",

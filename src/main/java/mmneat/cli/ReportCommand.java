@@ -31,7 +31,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Writes one page about a set of experiments, with its figures and replays. */
+/** The command {@code report}: writes a page about a set of experiments, with figures and replays. */
 @Command(
         name = "report",
         customSynopsis = "mmneat report EXPERIMENT... [name=value...]",
@@ -131,7 +131,7 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
                 + String.join(", ", experiments.stream().map(Experiment::label).toList());
     }
 
-    /** Writes the replays and gives the link to each, by the run's folder. */
+    /** Writes the replays and returns the link to each by the run's folder. */
     private Map<Path, String> replays(List<Experiment> experiments) {
         String folder = out.getFileName().toString().replaceFirst("\\.html?$", "") + "-replays";
         Map<Path, String> links = new HashMap<>();
@@ -155,8 +155,8 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
     }
 
     /**
-     * A typical game: that of median score in the champion's evaluation, or else game 0; none if the champion was evolved for
-     * another task.
+     * Writes the replay of a typical game: the game with the median score of the champion's evaluation, or game 0
+     * without an evaluation. Returns empty if the champion was evolved for another task.
      */
     private Optional<String> replay(Experiment experiment, RunResult run) {
         Champion champion = jar.allow(Champion.read(run.folder()));

@@ -38,13 +38,13 @@ final class ResultTable {
             if (complete.size() > MOST_LINES) {
                 out.println("  and " + (complete.size() - MOST_LINES) + " more");
             }
-            // A run may have more generations than it was asked for now.
+            // A run may have more generations than now requested.
             List<Integer> generations = complete.stream()
                     .map(outcome -> outcome.status().generation())
                     .distinct()
                     .toList();
             if (generations.size() == 1 && generations.get(0) > 0) {
-                // The final parents are scored, but as in the original the champion is chosen in the generation before.
+                // As in the original, the champion is that of the generation before the final parents.
                 out.println(RunLayout.CHAMPION + ": the best parent of generation " + (generations.get(0) - 1)
                         + ", the last that had children");
             }
@@ -58,7 +58,7 @@ final class ResultTable {
         out.flush();
     }
 
-    /** The complete run with the best champion. */
+    /** Returns the complete run with the best champion. */
     Optional<RunOutcome> best() {
         return outcomes.stream().filter(RunOutcome::isComplete).max(Comparator.comparingDouble(ResultTable::best));
     }

@@ -6,26 +6,26 @@ import java.util.List;
 import mmneat.experiment.cluster.ShellWord;
 
 /**
- * Command lines of this program for messages, to be copied into a shell. They begin as the user began: with the script, or with
- * java.
+ * Command lines of this program in messages, which the user can copy into a shell. They start like the user's command:
+ * with the script or with java.
  */
 final class ShellCommand {
 
-    /** Set by the script that calls the jar, to its own name. */
+    /** System property that the script sets to its own name when it calls the jar. */
     private static final String SCRIPT = "mmneat.command";
 
     private ShellCommand() {}
 
-    /** A command line to be copied into a shell. */
+    /** Returns a command line of this program. */
     static String command(String... words) {
         return line(System.getProperty(SCRIPT, ""), System.getProperty("java.class.path"), List.of(words));
     }
 
     /**
-     * A command line to be copied into a shell.
+     * Returns a command line of this program.
      *
-     * @param script that this program was called by; empty if there is none
-     * @param classPath of this process; just the jar if it was called with {@code java -jar}
+     * @param script name of the script that started this program; empty if there is none
+     * @param classPath class path of this process; only the jar if it was started with {@code java -jar}
      */
     static String line(String script, String classPath, List<String> words) {
         List<String> line = new ArrayList<>();

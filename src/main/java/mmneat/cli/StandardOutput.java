@@ -9,8 +9,8 @@ import java.util.Optional;
 /**
  * Standard output that remembers the first failure of a write.
  *
- * <p>Print streams and writers swallow such failures. Here they are kept until the command is over, so that every command can
- * report them. After a failure, everything that is written is discarded.
+ * <p>Print streams and writers ignore such failures. This class keeps them until the command ends, so that every
+ * command can report them. After a failure, all further output is discarded.
  */
 final class StandardOutput extends OutputStream {
 
@@ -21,9 +21,9 @@ final class StandardOutput extends OutputStream {
         this.target = target;
     }
 
-    /** The encoding of standard output, as Java chose it for {@code System.out}. */
+    /** Returns the encoding that Java chose for {@code System.out}. */
     static Charset encoding() {
-        // The first name is that of Java 19 and later.
+        // The first property exists since Java 19.
         String name = System.getProperty("stdout.encoding", System.getProperty("sun.stdout.encoding"));
         return name == null || !Charset.isSupported(name) ? Charset.defaultCharset() : Charset.forName(name);
     }
@@ -55,14 +55,16 @@ final class StandardOutput extends OutputStream {
         }
     }
 
-    /** The first failure; empty if everything was written, or if the reader of a pipe has ended, as {@code head} does. */
+    /**
+     * The first failure; empty if everything was written, or if the reader of a pipe has ended, as {@code head} does.
+     */
     synchronized Optional<IOException> failure() {
         return Optional.ofNullable(failure).filter(e -> !isClosedPipe(e));
     }
 
     private static boolean isClosedPipe(IOException e) {
         String message = String.valueOf(e.getMessage()).toLowerCase(Locale.ROOT);
-        // The second and the third are Windows' messages.
+        // The second and the third message are from Windows.
         return message.contains("broken pipe")
                 || message.contains("pipe is being closed")
                 || message.contains("pipe has been ended");

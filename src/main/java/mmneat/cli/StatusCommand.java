@@ -21,7 +21,10 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Parameters;
 
-/** How far the runs of experiments are, from their files alone; works while they run, on this machine or elsewhere. */
+/**
+ * The command {@code status}: shows the progress of experiments. It only reads their files, so it works while they run
+ * on any machine.
+ */
 @Command(
         name = "status",
         customSynopsis = "mmneat status [FOLDER]",

@@ -27,7 +27,7 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Hands the unfinished runs of experiments to a scheduler, one job per run. */
+/** The command {@code submit}: submits the unfinished runs of experiments to a scheduler, one job per run. */
 @Command(
         name = "submit",
         customSynopsis =
@@ -46,7 +46,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
 
     private static final String LOCAL = "local";
 
-    /** Options of sbatch that are passed on under their own names. */
+    /** Options of sbatch that are passed on with the same names. */
     private static final List<String> SLURM_OPTIONS = List.of("partition", "account", "qos", "constraint");
 
     private static final class Engines extends ArrayList<String> {
@@ -155,7 +155,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
         SLURM_OPTIONS.forEach(name -> requireEffect(name, engine.equals("slurm"), "it is for engine=slurm"));
     }
 
-    /** The present behaviour of the main job, one experiment after the other. */
+    /** Runs the experiments on this machine, one after the other, like the main job. */
     private int runHere(Study study) throws InterruptedException, IOException {
         int worst = ExitCode.OK;
         for (Study.Part part : study.parts()) {
@@ -247,7 +247,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
         }
     }
 
-    /** Beside a list of commands, which other programs read from standard output, words go to standard error. */
+    /** Prints a message; to standard error if standard output contains a list of commands for other programs. */
     private void tell(PrintWriter out, String line) {
         PrintWriter target = engine.equals("parallel") ? notes() : out;
         target.println(line);
@@ -259,7 +259,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
         return file;
     }
 
-    /** The jar that this program runs from: the jobs run the same. */
+    /** Returns the jar of this program, which the jobs also use. */
     private static Path ownJar() {
         try {
             Path place = Path.of(SubmitCommand.class

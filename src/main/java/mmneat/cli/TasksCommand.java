@@ -28,7 +28,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Measures how the game divides into tasks. */
+/** The command {@code tasks}: measures how a game divides into subtasks. */
 @Command(
         name = "tasks",
         customSynopsis = "mmneat tasks [name=value...]",
@@ -193,7 +193,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
         out.flush();
     }
 
-    /** How much of the time each task, and each two tasks together, are to be done. */
+    /** Returns the share of time in which each subtask, and each pair of subtasks, is active. */
     private static String shares(TaskMeasurement measurement) {
         TaskDivision division = measurement.division();
         List<String> shares = new ArrayList<>();

@@ -2,21 +2,21 @@ package mmneat.cli;
 
 import picocli.CommandLine.Help.Ansi;
 
-/** What the terminal can show. */
+/** The capabilities of the terminal. */
 final class Terminal {
 
     private Terminal() {}
 
-    /** Whether output goes to a terminal that understands escape sequences: colours and movements of the cursor. */
+    /** Whether output goes to a terminal that supports escape sequences for colours and cursor movements. */
     static boolean understandsEscapes() {
         return understandsEscapes(System.getenv("TERM"), Ansi.AUTO.enabled());
     }
 
     /**
-     * The same for given circumstances.
+     * As {@link #understandsEscapes()}, for a given environment.
      *
-     * @param type value of the variable TERM; null if it is not set
-     * @param isTerminal whether output goes to a terminal, as far as picocli knows
+     * @param type value of the environment variable TERM; null if it is not set
+     * @param isTerminal whether output goes to a terminal, according to picocli
      */
     static boolean understandsEscapes(String type, boolean isTerminal) {
         return isTerminal && !"dumb".equals(type);

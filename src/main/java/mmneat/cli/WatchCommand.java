@@ -24,7 +24,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Lets a network play a game and writes a page that shows it. */
+/** The command {@code watch}: a network plays a game, and a page that shows the game is written. */
 @Command(
         name = "watch",
         customSynopsis = "mmneat watch [FILE] [name=value...]",
@@ -118,7 +118,9 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
         out().flush();
     }
 
-    /** Runs of different tasks have the same names. */
+    /**
+     * Returns the file name of the page. It contains the task, because runs of different tasks can have the same name.
+     */
     private static String pageName(Champion champion, MsPacManTaskSettings settings) {
         return champion.runFolder().isPresent() ? settings.version().label() + "-" + champion.name() : champion.name();
     }
