@@ -4,8 +4,9 @@ import java.util.Optional;
 import pacman.controllers.Controller;
 
 /**
- * Says which controller threw an exception, and when. It travels as a suppressed exception of the controller's own, which
- * leaves the executor unchanged, as in the original; an exception that keeps no others leaves it as this one's cause.
+ * Records which controller threw an exception, and when. It is attached to the controller's exception as a suppressed
+ * exception, so that the executor throws the controller's exception itself, as in the original. If an exception does
+ * not allow suppressed ones, a ControllerFailure with it as cause is thrown instead.
  */
 public final class ControllerFailure extends RuntimeException {
 
@@ -18,7 +19,10 @@ public final class ControllerFailure extends RuntimeException {
         this.totalTime = totalTime;
     }
 
-    /** Adds a report to what a controller threw; throws one that has it as its cause if it cannot be added. */
+    /**
+     * Adds a report to the exception of a controller; if it cannot be added, throws a report with the exception as
+     * cause.
+     */
     static void report(Throwable failure, Controller<?> controller, int totalTime) {
         int before = failure.getSuppressed().length;
         failure.addSuppressed(new ControllerFailure(controller, totalTime, null));
@@ -28,8 +32,8 @@ public final class ControllerFailure extends RuntimeException {
     }
 
     /**
-     * The report that an exception out of a game carries; empty if it did not come from a controller. An exception that was thrown
-     * several times carries several reports, the last of which counts.
+     * Returns the report attached to an exception from a game; empty if no controller threw it. An exception that was
+     * thrown several times has several reports; the last one is returned.
      */
     public static Optional<ControllerFailure> in(Throwable failure) {
         ControllerFailure last = failure instanceof ControllerFailure report ? report : null;
@@ -39,12 +43,12 @@ public final class ControllerFailure extends RuntimeException {
         return Optional.ofNullable(last);
     }
 
-    /** Class name of the controller that threw. */
+    /** Class name of the controller that threw the exception. */
     public String controllerName() {
         return controllerName;
     }
 
-    /** Total time of the game in which it was asked, in game steps. */
+    /** Total time of the game when the controller was called, in game steps. */
     public int totalTime() {
         return totalTime;
     }

@@ -27,23 +27,23 @@ import pacman.game.GameView;
  * Plays games between two controllers: untimed, timed, shown, recorded.
  *
  * <p>In untimed games an exception of a controller leaves the method; it carries a {@link ControllerFailure} that names
- * the controller. In timed games it ends the controller's thread, whose name Java prints with it, and the game goes on
- * with the last answer. Views are shown where there is a display, otherwise games are played unseen.
+ * the controller. In timed games it ends the controller's thread, whose name Java prints with it, and the game
+ * continues with the last answer. Views are shown only if there is a display.
  *
  * <p>Source: the competition's programming interface, release 6.2, and the variants that MM-NEAT added, which take the
  * game to play; docs/specification/controllers.md, section 6.
  */
 public class Executor {
 
-    /** How long a step of a timed game lasts. */
+    /** The duration of a step of a timed game. */
     public enum Pace {
-        /** Real time: {@value Constants#DELAY} ms, however soon the controllers answer. */
+        /** Real time: {@value Constants#DELAY} ms, even if the controllers answer earlier. */
         REAL_TIME,
         /** Until both controllers have answered, at most {@value Constants#DELAY} ms. */
         UNTIL_ANSWERED
     }
 
-    /** Seed of the games' seeds in a batch. */
+    /** Seed from which the seeds of a batch of games are drawn. */
     private static final long BATCH_SEED = 0;
 
     private static final int KEY_LOOK_MILLISECONDS = 10;
@@ -190,10 +190,10 @@ public class Executor {
     }
 
     /**
-     * Plays the given game with controllers in threads of their own, and tells how punctual they were. A controller that throws
-     * is frozen on its last answer, and the game goes on.
+     * Plays the given game with each controller in its own thread, and returns how punctual they were. A controller
+     * that throws an exception keeps its last answer, and the game continues.
      *
-     * @param visual whether the game is shown, where there is a display
+     * @param visual whether the game is shown, if there is a display
      * @param afterStep called after each step with the game, in the calling thread
      */
     public TimedReport runGameTimed(
@@ -221,7 +221,7 @@ public class Executor {
     /**
      * Plays the given game; a tick ends when both controllers have answered, or after 40 ms.
      *
-     * @param fixedTime whether a tick lasts the full 40 ms all the same
+     * @param fixedTime whether a tick still lasts the full 40 ms
      */
     public void runGameTimedSpeedOptimised(
             Controller<MOVE> pacManController,
@@ -279,7 +279,7 @@ public class Executor {
     /**
      * Shows a recording, up to the first state in which the last level is over.
      *
-     * @param rules of the recorded game, or at least with its mazes
+     * @param rules rules of the recorded game, or other rules with the same mazes
      * @param delay milliseconds per tick
      * @return a game in the last state shown
      * @throws IllegalArgumentException if a state cannot be read, or belongs to other mazes
@@ -306,10 +306,10 @@ public class Executor {
     /**
      * Writes data and a line end to a file; a failure is printed.
      *
-     * @param append whether to keep what the file holds already
+     * @param append whether to append to an existing file
      */
     public static void saveToFile(String data, String fileName, boolean append) {
-        // Not through a channel: an interrupt, which ends a timed game, must not lose its recording.
+        // Not written through a channel: the interrupt that ends a timed game would lose the recording.
         try (Writer file = new FileWriter(fileName, StandardCharsets.UTF_8, append)) {
             file.write(data);
             file.write(System.lineSeparator());
@@ -319,7 +319,9 @@ public class Executor {
         }
     }
 
-    /** Opens a window; a human's key presses are taken from it, and the game waits for the first of them. */
+    /**
+     * Opens a window. For a human player, the window supplies the key presses, and the game waits for the first one.
+     */
     private static GameView window(Game game, Controller<MOVE> pacManController) {
         GameView view = new GameView(game);
         if (!(pacManController instanceof HumanController human)) {
@@ -342,7 +344,7 @@ public class Executor {
         }
     }
 
-    /** Unlike the original this one paints the last state too, as release 6.2 did. */
+    /** Unlike in the original, the last state is also painted, as in release 6.2. */
     private static Consumer<Game> painter(GameView view) {
         return view == null || view.getFrame() == null ? NOTHING : game -> view.repaint();
     }

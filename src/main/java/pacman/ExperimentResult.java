@@ -3,10 +3,10 @@ package pacman;
 import java.util.List;
 
 /**
- * What the games of an experiment scored.
+ * The scores of the games of an experiment.
  *
  * @param scores the score of each game, in the order of the games; at least one
- * @param steps steps of all games together
+ * @param steps total steps of all games
  */
 public record ExperimentResult(List<Integer> scores, long steps) {
 

@@ -5,23 +5,23 @@ import pacman.game.Game;
 import pacman.game.GameRules;
 
 /**
- * Games by the same rules, one after the other, whose seeds follow from one seed. What a controller does in one game changes
- * no other. A series belongs to one thread.
+ * A sequence of games by the same rules, whose seeds follow from one seed. A controller's actions in one game do not
+ * affect other games. A series is used by one thread.
  */
 public final class GameSeries {
 
     private final GameRules rules;
     private final ResumableRandom seeds;
 
-    /** A series that gives the same games whenever rules and seed are the same. */
+    /** Creates a series. The same rules and seed give the same games. */
     public GameSeries(GameRules rules, long seed) {
         this.rules = rules;
         seeds = new ResumableRandom(seed);
     }
 
     /**
-     * The next game. By MM-NEAT's conventions a game draws from a second generator too, which its copies may share; so each
-     * game gets one of its own.
+     * Returns the next game. Under MM-NEAT's conventions a game also draws from a second generator, which its copies
+     * may share. So each game gets its own second generator.
      */
     public Game next() {
         return rules.conventions() == GameRules.Conventions.MM_NEAT

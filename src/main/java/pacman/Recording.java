@@ -11,8 +11,8 @@ import pacman.game.Game;
 import pacman.game.GameRules;
 
 /**
- * A game as its states, one per tick: the state string after that tick. In a file each stands on a line of its own.
- * Source: docs/specification/controllers.md, sections 6.4 and 6.5.
+ * A recorded game: the state string after each tick. A file has one state string per line. Source:
+ * docs/specification/controllers.md, sections 6.4 and 6.5.
  *
  * @param states at least one state string, all of the same number of fields
  */
@@ -56,9 +56,9 @@ public record Recording(List<String> states) {
     }
 
     /**
-     * Makes sure that the states follow each other as those of one game do: each one time step after the one before, in the same
-     * level or the next, with no less score; and that all switches are true or false, and all pills 0 or 1. A controller that ends
-     * the game leaves the last state twice.
+     * Makes sure that the states follow each other as those of one game do: each one time step after the one before, in
+     * the same level or the next, with no less score; and that all switches are true or false, and all pills 0 or 1. A
+     * controller that ends the game leaves the last state twice.
      *
      * @throws IllegalArgumentException naming the first state that does not
      */
@@ -137,7 +137,7 @@ public record Recording(List<String> states) {
     }
 
     /**
-     * Reads the lines of a file that are not empty.
+     * Reads a recording from the non-empty lines of a file.
      *
      * @throws IllegalArgumentException if they are not a recording
      */
@@ -153,12 +153,12 @@ public record Recording(List<String> states) {
         }
     }
 
-    /** The rules whose state strings these are: the competition's or MM-NEAT's. */
+    /** Returns the rules whose format the state strings have: the competition's or MM-NEAT's. */
     public GameRules rules() {
         return fields(states.get(0)) == COMPETITION_FIELDS ? GameRules.competition() : GameRules.mmneat();
     }
 
-    /** Gathers the states of a game that is being played. */
+    /** Collects the states of a game during play. */
     public static final class Recorder {
 
         private final List<String> states = new ArrayList<>();
@@ -168,7 +168,7 @@ public record Recording(List<String> states) {
             states.add(game.getGameState());
         }
 
-        /** The states, joined by {@code \n}. */
+        /** Returns the states joined by {@code \n}. */
         public String text() {
             return String.join("\n", states);
         }

@@ -10,19 +10,22 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * A game in real time: both controllers compute in threads of their own, and when the time of a tick is over the game
- * advances by the answers that they have stored by then.
+ * Plays a game in real time: each controller computes in its own thread, and at the end of a tick the game advances by
+ * the answers stored so far.
  *
- * <p>Source: docs/specification/controllers.md, sections 2 and 6.2. An interrupt ends the game early (the original goes
- * on).
+ * <p>Source: docs/specification/controllers.md, sections 2 and 6.2. An interrupt ends the game early (in the original
+ * it continues).
  */
 final class TimedRun {
 
-    /** How long a tick waits for the controllers. */
+    /** The time for which a tick waits for the controllers. */
     enum Waiting {
         /** Always the full {@value Constants#DELAY} ms. */
         FULL_DELAY,
-        /** Until both have answered, at most {@value Constants#DELAY} looks {@value Constants#INTERVAL_WAIT} ms apart. */
+        /**
+         * Until both have answered, at most {@value Constants#DELAY} checks at intervals of {@value
+         * Constants#INTERVAL_WAIT} ms.
+         */
         UNTIL_ANSWERED,
         /** As {@link #UNTIL_ANSWERED}, then the rest of the delay if both answered in time. */
         FIXED_TIME
@@ -47,7 +50,7 @@ final class TimedRun {
      * Plays until the game is over; then both controllers are terminated, after one more decision.
      *
      * @param afterTick called after each tick with the game
-     * @return how punctual the controllers were; the decision after the end does not count
+     * @return the punctuality of the controllers, without the decision after the end
      */
     TimedReport play(Game game, Consumer<Game> afterTick) {
         supervise(pacMan);

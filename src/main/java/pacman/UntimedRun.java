@@ -14,23 +14,24 @@ import pacman.game.Game;
 import pacman.game.GhostMoves;
 
 /**
- * A game in which the controllers are asked directly, in the calling thread, however long they take.
+ * Plays a game without time limit: controllers are called directly in the calling thread.
  *
  * <p>Per tick Ms. Pac-Man's controller gets a copy of the game, then the ghosts' controller another of the same state,
- * then the game advances by both answers. Copying the game takes longer than advancing it, so controllers that only read it
- * ({@link LiveReaders}) look at the live game and draw from a scratch generator set to where their copy's would stand.
+ * then the game advances by both answers. Copying the game takes longer than advancing it. So controllers that only
+ * read the game ({@link LiveReaders}) get the live game instead of a copy. They draw from a scratch generator that is
+ * set to the state that the copy's generator would have.
  *
  * <p>Source: docs/specification/controllers.md, section 6.2.
  */
 final class UntimedRun {
 
-    /** What a controller is told about the time by which its answer is wanted. */
+    /** The due time that is passed to a controller. */
     enum DueTime {
         /** -1. */
         NONE,
         /** 40 ms from now, the same for both controllers. */
         ONCE_PER_TICK,
-        /** 40 ms from the moment at which the controller is asked. */
+        /** 40 ms from the call of the controller. */
         PER_CONTROLLER
     }
 
@@ -38,7 +39,7 @@ final class UntimedRun {
     private final Controller<EnumMap<GHOST, MOVE>> ghosts;
     private final ReadOnlyController<MOVE> readOnlyPacMan;
     private final ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
-    /** The ghosts, if they only read and need no map either; else null. */
+    /** The ghosts, if they only read and need no map; else null. */
     private final DirectGhosts directGhosts;
 
     private final DueTime dueTime;
@@ -72,7 +73,7 @@ final class UntimedRun {
         }
     }
 
-    /** Asks both controllers and advances the game. */
+    /** Calls both controllers and advances the game. */
     void tick(Game game) {
         long due = due(DueTime.ONCE_PER_TICK);
         MOVE move;
@@ -107,7 +108,7 @@ final class UntimedRun {
         return controller.getMove(game.copy(), dueTime == DueTime.PER_CONTROLLER ? due(DueTime.PER_CONTROLLER) : due);
     }
 
-    /** Reads the wall clock only if a controller gets the time. */
+    /** Returns the due time. The clock is read only if it is needed. */
     private long due(DueTime moment) {
         return dueTime == moment && (readOnlyPacMan == null || readOnlyGhosts == null)
                 ? System.currentTimeMillis() + Constants.DELAY

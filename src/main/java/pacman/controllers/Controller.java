@@ -3,14 +3,14 @@ package pacman.controllers;
 import pacman.game.Game;
 
 /**
- * Decides on moves, either when asked directly or, in timed games, in threads of its own.
+ * The base class of controllers, which choose moves: called directly or, in timed games, in separate threads.
  *
- * <p>An entry implements {@link #getMove(Game, long)} alone. In a timed game one supervisor thread runs this object; for
+ * <p>An entry implements only {@link #getMove(Game, long)}. In a timed game one supervisor thread runs this object. For
  * each {@link #update} it starts a worker thread that computes a decision and stores it in {@link #lastMove}. While a
- * worker is busy, further updates only replace the game that the next worker will see: nothing is caught up afterwards.
- * A worker whose decision throws leaves the controller frozen on its last answer; the thread's name, which Java prints
- * with the exception, is the controller's. Workers never decide at the same time: one that is left over from an earlier timed
- * game is waited for. {@link Decisions} counts what the workers did.
+ * worker is busy, further updates only replace the game for the next worker; skipped states are not decided later. If a
+ * decision throws an exception, the controller keeps its last answer; Java prints the exception with the thread's name,
+ * which is the controller's. Only one worker decides at a time: a new one waits for a worker that is left over from an
+ * earlier timed game. {@link Decisions} counts the decisions.
  *
  * <p>Source: the competition's programming interface, release 6.2; docs/specification/controllers.md, section 2.
  *
@@ -18,10 +18,10 @@ import pacman.game.Game;
  */
 public abstract class Controller<T> implements Runnable {
 
-    /** The stored answer; a long computation may set it early to save a provisional one. Null until then. */
+    /** The stored answer; null before the first. A long computation may store a provisional answer early. */
     protected volatile T lastMove;
 
-    /** Held by the worker that decides. */
+    /** The lock of the worker that decides. */
     private final Object deciding = new Object();
 
     private volatile boolean alive;
@@ -31,19 +31,24 @@ public abstract class Controller<T> implements Runnable {
     private volatile Game game;
     private volatile long timeDue;
 
-    // Since the last revival; see Decisions.
+    // Counts since the last revival; see Decisions.
     private int updates;
     private int answeredUpdate;
     private int answers;
     private Throwable failure;
 
-    /** Grows with each revival: a worker that is left over from an earlier timed game stores nothing in this one. */
+    /**
+     * Number of revivals. It prevents a worker that is left over from an earlier timed game from storing its answer.
+     */
     private volatile int revivals;
 
-    /** Grows with each end: a supervisor that sleeps through an end and a revival serves no later game. */
+    /**
+     * Number of terminations. It prevents a supervisor that missed a termination and a revival from serving a later
+     * game.
+     */
     private volatile int terminations;
 
-    /** A controller that is ready for a timed game. */
+    /** Creates a controller that is ready for a timed game. */
     public Controller() {
         alive = true;
     }
@@ -74,10 +79,10 @@ public abstract class Controller<T> implements Runnable {
     }
 
     /**
-     * Hands over the state to decide on.
+     * Sets the state for the next decision.
      *
      * @param game a copy that belongs to this controller
-     * @param timeDue wall-clock time in milliseconds by which the answer is wanted
+     * @param timeDue wall-clock time in milliseconds at which the answer is due
      */
     public final void update(Game game, long timeDue) {
         synchronized (this) {
@@ -90,7 +95,7 @@ public abstract class Controller<T> implements Runnable {
         }
     }
 
-    /** The stored answer, whatever game it was computed for; null if there is none yet. */
+    /** Returns the stored answer, which may be that of an earlier state; null if there is none yet. */
     public final T getMove() {
         return lastMove;
     }
@@ -126,7 +131,10 @@ public abstract class Controller<T> implements Runnable {
         }
     }
 
-    /** One worker's life. If the decision throws, the busy flag stays up, so that no other is started. */
+    /**
+     * The work of one worker. If the decision throws an exception, the busy flag remains set, so that no other worker
+     * is started.
+     */
     private void decide(int revival) {
         synchronized (deciding) {
             Game asked;
@@ -165,7 +173,7 @@ public abstract class Controller<T> implements Runnable {
         }
     }
 
-    /** A consistent view of what the workers did. */
+    /** Returns a consistent snapshot of the counts. */
     final synchronized Decisions decisions() {
         return new Decisions(updates, answers, answeredUpdate == updates, failure);
     }
@@ -176,10 +184,11 @@ public abstract class Controller<T> implements Runnable {
     }
 
     /**
-     * The decision.
+     * Computes the decision.
      *
      * @param game a copy of the game that belongs to this controller: it may be advanced, and its generator drawn from
-     * @param timeDue wall-clock time in milliseconds by which the answer is wanted, or -1; for information only
+     * @param timeDue wall-clock time in milliseconds at which the answer is due, or -1 for none; for information
+     *     only
      */
     public abstract T getMove(Game game, long timeDue);
 }

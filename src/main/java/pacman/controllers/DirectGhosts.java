@@ -8,18 +8,19 @@ import pacman.game.Game;
 import pacman.game.GhostMoves;
 
 /**
- * A ghost team that only reads the game and can say its moves without a map, whose filling and reading is a quarter of the
- * time of a plain game.
+ * A ghost team that only reads the game and returns its moves without a map. Filling and reading a map takes a quarter
+ * of the time of a plain game.
  *
- * <p>Only for teams that empty their map before each decision: what others keep in it may move a ghost.
+ * <p>It is only for teams that clear their map before each decision; in other teams an old entry of the map may move a
+ * ghost.
  */
 public interface DirectGhosts extends ReadOnlyController<EnumMap<GHOST, MOVE>> {
 
     /**
-     * The same answer as {@link #decide}, as {@link GhostMoves}.
+     * Returns the same answer as {@link #decide}, encoded as {@link GhostMoves}.
      *
      * @param game read, not changed
-     * @param random a generator of the caller's, set by {@link Game#continueAsCopy}; it may be drawn from
+     * @param random the caller's generator, set by {@link Game#continueAsCopy}; the controller may draw from it
      */
     int decideMoves(Game game, ResumableRandom random);
 }

@@ -4,10 +4,13 @@ import java.awt.event.KeyEvent;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Ms. Pac-Man moved by the arrow keys. The executor attaches {@link #input} to the game's window in timed games. */
+/**
+ * The controller of a human player, who moves Ms. Pac-Man with the arrow keys. The executor attaches {@link #input} to
+ * the game's window in timed games.
+ */
 public class HumanController extends Controller<MOVE> {
 
-    /** Where the key presses come from; public in the competition's interface. */
+    /** The source of key presses; public in the competition's interface. */
     public KeyBoardInput input;
 
     public HumanController(KeyBoardInput input) {

@@ -3,10 +3,10 @@ package pacman.controllers;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 
-/** Remembers the most recent key press; releases are ignored, so that a direction sticks. */
+/** The most recent key press. Releases are ignored, so that a direction persists. */
 public class KeyBoardInput extends KeyAdapter {
 
-    /** Written by the event thread, read by a controller's. */
+    /** Written by the event thread, read by a controller's thread. */
     private volatile int key;
 
     /** The key code of the most recent key press, 0 before the first. */

@@ -4,16 +4,16 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * A Ms. Pac-Man controller that answers with a direction number and can ask for the end of the game.
+ * A Ms. Pac-Man controller that returns a direction number and can request the end of the game.
  *
- * <p>An exception in {@link #getAction} is printed, and the stored answer of the last timed decision is used instead; in
- * untimed games there is none, which ends the game under MM-NEAT's rules.
+ * <p>An exception in {@link #getAction} is printed, and the stored answer of the last timed decision is used instead.
+ * In untimed games there is no such answer, which ends the game under MM-NEAT's rules.
  *
  * <p>Source: docs/specification/controllers.md, section 3.1.
  */
 public abstract class NewPacManController extends Controller<MOVE> {
 
-    /** The action that asks for the end of the game. */
+    /** The action that requests the end of the game. */
     public static final int END_GAME_CODE = 27;
 
     private static final MOVE[] MOVES = MOVE.values();
@@ -22,13 +22,13 @@ public abstract class NewPacManController extends Controller<MOVE> {
     private static final int DIRECTIONS = 4;
 
     /**
-     * The decision as a number.
+     * Returns the decision as a number.
      *
      * @return 0 UP, 1 RIGHT, 2 DOWN, 3 LEFT, {@link #END_GAME_CODE} to end the game; any other number is NEUTRAL
      */
     public abstract int getAction(Game game, long timeDue);
 
-    /** Called after a game, to log what the controller has gathered about it. */
+    /** Called after a game, to log the controller's observations. */
     public abstract void logEvaluationDetails();
 
     /** Called before a game. */

@@ -7,8 +7,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Each ghost heads for Ms. Pac-Man with a certain probability and moves at random otherwise. Source:
- * docs/specification/controllers.md, section 5.2.
+ * A ghost team in which each ghost heads for Ms. Pac-Man with a given probability and moves at random otherwise.
+ * Source: docs/specification/controllers.md, section 5.2.
  */
 public final class AggressiveGhosts extends ForgetfulGhostTeam {
 

@@ -7,7 +7,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * As {@link Legacy}, with exact path distances that forbid reversing on the whole way. Source:
+ * As {@link Legacy}, with exact path distances that forbid reversing on the whole path. Source:
  * docs/specification/controllers.md, section 5.2.
  */
 public class BetterLegacy extends Legacy {

@@ -6,7 +6,7 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Game;
 import pacman.game.GhostMoves;
 
-/** A team that empties its map before each decision, and so can answer without it. */
+/** A ghost team that clears its map before each decision and therefore can answer without it. */
 abstract class ForgetfulGhostTeam extends GhostTeam implements DirectGhosts {
 
     @Override

@@ -10,8 +10,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * What the example ghost teams share: each ghost that requires an action is asked in turn, and the answers go into one
- * map that the team owns and reuses. Source: docs/specification/controllers.md, section 5.1.
+ * Base class of the example ghost teams. It calls {@link #choose} for each ghost that requires an action, and stores
+ * the answers in one map that the team reuses. Source: docs/specification/controllers.md, section 5.1.
  */
 abstract class GhostTeam extends NewGhostController implements ReadOnlyController<EnumMap<GHOST, MOVE>> {
 
@@ -20,15 +20,15 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
 
     private EnumMap<GHOST, MOVE> moves = new EnumMap<>(GHOST.class);
 
-    /** The move of a ghost that requires an action. */
+    /** Returns the move of a ghost that requires an action. */
     abstract MOVE choose(Game game, GHOST ghost, ResumableRandom random);
 
-    /** The order in which the ghosts are asked, which is the order of their draws. */
+    /** Returns the order in which the ghosts choose, which is the order of their random draws. */
     GHOST[] order() {
         return ENUM_ORDER;
     }
 
-    /** Whether the map is emptied before each decision; if not, it keeps the moves of ghosts that are not asked. */
+    /** Whether the map is cleared before each decision. If not, it keeps old moves of ghosts that require no action. */
     boolean forgetsLastMoves() {
         return false;
     }
@@ -57,7 +57,7 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
         forgetMap();
     }
 
-    /** A new map: the old one stays as the last game left it. */
+    /** Starts with a new map; the map of the last game stays unchanged. */
     final void forgetMap() {
         moves = new EnumMap<>(GHOST.class);
     }
@@ -80,7 +80,7 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
                 DM.PATH);
     }
 
-    /** One of the five moves, NEUTRAL and the forbidden reverse included. */
+    /** Draws one of the five moves, including NEUTRAL and the forbidden reverse. */
     static MOVE randomMove(ResumableRandom random) {
         return MOVES[random.nextInt(MOVES.length)];
     }

@@ -7,9 +7,9 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * The ghost team of the published experiments: BLINKY, INKY and PINKY head for Ms. Pac-Man by three measures of distance,
- * SUE moves at random. It never looks at edibility: edible ghosts keep heading for her, and only the reversal that a power
- * pill causes turns them away.
+ * The ghost team of the published experiments: BLINKY, INKY and PINKY head for Ms. Pac-Man by three measures of
+ * distance, SUE moves at random. It ignores edibility: edible ghosts keep heading for her, and only the reversal after
+ * a power pill turns them away.
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 4.1; docs/specification/controllers.md, section 5.4.
  */

@@ -52,7 +52,7 @@ public class Legacy2TheReckoning extends GhostTeam {
                 < PACMAN_DISTANCE;
     }
 
-    /** To the node of its corner's power pill, whether or not the pill is still there. */
+    /** Returns the direction to the node of the power pill in the ghost's corner, even if that pill has been eaten. */
     private static MOVE towardsItsCorner(Game game, GHOST ghost) {
         int corner =
                 switch (ghost) {

@@ -4,14 +4,14 @@ import pacman.game.Constants.DM;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** What Ms. Pac-Man does when nothing else matters. */
+/** The move towards the nearest pill, which Ms. Pac-Man makes if she has no other goal. */
 final class NearestPill {
 
     private NearestPill() {}
 
     /**
-     * The direction of the nearest pill or power pill present. If nothing is left, the first direction that is open: the
-     * original then asks for the way to node -1, whose distance from everywhere is 0.
+     * Returns the direction to the nearest available pill or power pill. If none is left, it returns the first open
+     * direction: the original then computes the path to node -1, which has distance 0 from every node.
      */
     static MOVE moveTowards(Game game) {
         int position = game.getPacmanCurrentNodeIndex();

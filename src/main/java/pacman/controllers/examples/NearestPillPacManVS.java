@@ -8,8 +8,8 @@ import pacman.game.Game;
 import pacman.game.GameView;
 
 /**
- * As {@link NearestPillPacMan}, and shows how to draw into the view: BLINKY's way to the first power pill, in red if it
- * might reverse and in yellow as it may really go. Source: docs/specification/controllers.md, section 5.5.
+ * As {@link NearestPillPacMan}, with an example of drawing into the view: BLINKY's path to the first power pill, in red
+ * with reversing allowed, in yellow without. Source: docs/specification/controllers.md, section 5.5.
  */
 public final class NearestPillPacManVS extends Controller<MOVE> {
 

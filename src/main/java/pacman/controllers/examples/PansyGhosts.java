@@ -18,7 +18,7 @@ public final class PansyGhosts extends Controller<EnumMap<GHOST, MOVE>> {
         moves.clear();
         for (GHOST ghost : GHOSTS) {
             if (game.doesGhostRequireAction(ghost)) {
-                // The original draws whether to flee, with a probability of 1 and from a generator of its own.
+                // The original draws whether to flee, with a probability of 1 and from a separate generator.
                 moves.put(ghost, GhostTeam.awayFromPacMan(game, ghost));
             }
         }

@@ -6,7 +6,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Each ghost that may choose draws one of the five moves. Source: docs/specification/controllers.md, section 5.2.
+ * A ghost team in which each ghost that requires an action draws one of the five moves. Source:
+ * docs/specification/controllers.md, section 5.2.
  */
 public final class RandomGhosts extends ForgetfulGhostTeam {
 

@@ -7,8 +7,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Ms. Pac-Man draws one of the directions open to her, except the way she came from. Source:
- * docs/specification/controllers.md, section 5.5.
+ * A Ms. Pac-Man that draws one of the open directions except the reverse. Source: docs/specification/controllers.md,
+ * section 5.5.
  */
 public final class RandomNonRevPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
 
@@ -22,7 +22,7 @@ public final class RandomNonRevPacMan extends Controller<MOVE> implements ReadOn
         int node = game.getPacmanCurrentNodeIndex();
         MOVE[] possible = game.getPossibleMoves(node, game.getPacmanLastMoveMade());
         if (possible == null) {
-            // She was put, as by a maze of one's own, where nothing leads that way.
+            // No other direction is open, for example at the start in a user's maze.
             possible = game.getPossibleMoves(node);
         }
         return possible[random.nextInt(possible.length)];

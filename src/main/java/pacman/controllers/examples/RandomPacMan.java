@@ -6,7 +6,9 @@ import pacman.controllers.ReadOnlyController;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Ms. Pac-Man draws one of the five moves in every step. Source: docs/specification/controllers.md, section 5.5. */
+/**
+ * A Ms. Pac-Man that draws one of the five moves in every step. Source: docs/specification/controllers.md, section 5.5.
+ */
 public final class RandomPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
 
     @Override

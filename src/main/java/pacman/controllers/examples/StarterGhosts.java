@@ -7,12 +7,12 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Ghosts that flee when they are edible or Ms. Pac-Man is near a power pill, attack mostly, and wander sometimes. Source:
- * docs/specification/controllers.md, section 5.3.
+ * Ghosts that flee when they are edible or Ms. Pac-Man is near a power pill; otherwise they usually attack and
+ * sometimes move at random. Source: docs/specification/controllers.md, section 5.3.
  */
 public final class StarterGhosts extends GhostTeam {
 
-    /** Probability of attacking where nothing speaks against it. */
+    /** Probability of attacking if the ghost does not flee. */
     private static final float ATTACK_PROBABILITY = 0.9f;
 
     /** Ms. Pac-Man is near a power pill if it is nearer than this, in steps. */
@@ -30,7 +30,7 @@ public final class StarterGhosts extends GhostTeam {
         return possible[random.nextInt(possible.length)];
     }
 
-    /** Quirk: unlike the other teams this one is not revived, and so decides nothing in a second timed game. */
+    /** Quirk: unlike other teams, this one is not revived, and so makes no decisions in a second timed game. */
     @Override
     public void reset() {
         forgetMap();

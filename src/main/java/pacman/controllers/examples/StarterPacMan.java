@@ -9,12 +9,12 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Ms. Pac-Man runs from the first near ghost, else chases the nearest edible ghost, else goes for the nearest pill.
- * Source: docs/specification/controllers.md, section 5.5.
+ * A Ms. Pac-Man that flees from the first near ghost, else chases the nearest edible ghost, else heads for the nearest
+ * pill. Source: docs/specification/controllers.md, section 5.5.
  */
 public class StarterPacMan extends NewPacManController implements ReadOnlyController<MOVE> {
 
-    /** A ghost nearer than this is run away from, in steps. */
+    /** Ms. Pac-Man flees from a ghost nearer than this, in steps. */
     private static final int MINIMUM_DISTANCE = 20;
 
     private static final GHOST[] GHOSTS = GHOST.values();
@@ -42,7 +42,7 @@ public class StarterPacMan extends NewPacManController implements ReadOnlyContro
         return NearestPill.moveTowards(game);
     }
 
-    /** The node of the nearest edible ghost, the first of equals; -1 if no ghost is edible. */
+    /** Returns the node of the nearest edible ghost, of equally near ones the first; -1 if no ghost is edible. */
     private static int nearestEdibleGhost(Game game, int position) {
         int nearest = -1;
         int smallest = Integer.MAX_VALUE;
@@ -59,7 +59,7 @@ public class StarterPacMan extends NewPacManController implements ReadOnlyContro
         return nearest;
     }
 
-    /** Not used: this controller answers with a move. */
+    /** Not used: this controller returns a move. */
     @Override
     public int getAction(Game game, long timeDue) {
         throw new UnsupportedOperationException("StarterPacMan answers with a move; call getMove");

@@ -6,7 +6,7 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Where a competitor starts: a ghost team that asks for no moves. */
+/** The skeleton of a competition entry: a ghost team that returns no moves. */
 public class MyGhosts extends Controller<EnumMap<GHOST, MOVE>> {
 
     private final EnumMap<GHOST, MOVE> myMoves = new EnumMap<>(GHOST.class);

@@ -4,7 +4,7 @@ import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Where a competitor starts: a Ms. Pac-Man controller that lets her go straight on. */
+/** The skeleton of a competition entry: a controller that lets Ms. Pac-Man go straight on. */
 public class MyPacMan extends Controller<MOVE> {
 
     private final MOVE myMove = MOVE.NEUTRAL;
