@@ -13,16 +13,17 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * Plays Ms. Pac-Man by asking a network about each open direction and taking the one that it prefers.
+ * The player of Ms. Pac-Man: activates a network once per open direction and chooses the direction with the highest
+ * output.
  *
- * <p>Every direction has a network state of its own, which lasts as long as the direction stays open. Directions are numbered UP
- * 0, RIGHT 1, DOWN 2, LEFT 3. One thread uses an object; nothing is allocated per step.
+ * <p>Every direction has its own network state, which is kept while the direction stays open. Directions are numbered
+ * UP 0, RIGHT 1, DOWN 2, LEFT 3. Not thread-safe; a step allocates nothing.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 3; the paper's section on direction evaluation.
  */
 public final class DirectionEvaluator {
 
-    /** Instead of a direction: she asks that the game be ended. */
+    /** Returned instead of a direction to request the end of the game. */
     public static final int END_GAME = -1;
 
     private static final int DIRECTIONS = 4;
@@ -30,28 +31,28 @@ public final class DirectionEvaluator {
 
     private final NetworkInputs sensors;
 
-    /** Names the module of a step; null if networks choose their modules themselves. */
+    /** Selects the module of a step; null if networks choose their modules by preference neurons. */
     private final ModuleDivision division;
 
     private final NetworkStates states;
-    /** Preference for each direction, where they had to be compared to the last bit. */
+    /** Preference for each direction, if exact preferences were needed for the comparison. */
     private final double[] preferences = new double[DIRECTIONS];
 
     private final ModuleUse use;
     private final boolean usesTanh;
     private int livesBefore = -1;
 
-    /** Open directions of the last decision, as bits. */
+    /** Open directions of the last decision, as a bit set. */
     private int open;
 
     /**
-     * A player with a network.
+     * Creates a player with a network.
      *
-     * @param sensors of this player alone
+     * @param sensors sensors that no other player uses
      * @param genotype with as many inputs as there are sensors and one policy neuron per module
      * @param arbitration how the network chooses among its modules
-     * @param division names the module of each step; null if the network's preference neurons choose
-     * @throws IllegalArgumentException if the genotype does not suit the sensors or the division
+     * @param division selects the module of each step; null if the network's preference neurons choose
+     * @throws IllegalArgumentException if the genotype does not fit the sensors or the division
      */
     public DirectionEvaluator(
             NetworkInputs sensors, Genotype genotype, ModuleArbitration arbitration, ModuleDivision division) {
@@ -77,7 +78,7 @@ public final class DirectionEvaluator {
                 .allMatch(input -> input.activation() == ActivationFunction.TANH);
     }
 
-    /** Becomes as new, for the next game. */
+    /** Resets the player for the next game. */
     public void startGame() {
         states.reset();
         use.clear();
@@ -88,7 +89,8 @@ public final class DirectionEvaluator {
      * Decides on a move.
      *
      * @param game read, not changed
-     * @param random draws one number per open direction (choice of the module) and two to break ties between directions
+     * @param random generator; a decision draws one number per open direction (choice of the module) and two to break
+     *     ties between directions
      * @return 0 to 3, or {@link #END_GAME} if a limit of the level or its time is reached
      */
     public int decide(Game game, ResumableRandom random) {
@@ -119,13 +121,13 @@ public final class DirectionEvaluator {
         for (int d = 0; clear < 0 && d < DIRECTIONS; d++) {
             preferences[d] = preference(d);
         }
-        // Quirk of the original: at a tie, the module counted may be that of a direction that is not taken.
+        // Quirk of the original: at a tie, the counted module may be that of a direction that was not chosen.
         use.countDecision(
                 observation, states.get(preferredDirection(clear, random)).lastModule());
         return preferredDirection(clear, random);
     }
 
-    /** The activations of input neurons are known from tables; those of all directions go through the network at once. */
+    /** Activates the network for all directions together, with input activations from tables. */
     private void activateTogether(Observation state, ResumableRandom random) {
         open = 0;
         for (int d = 0; d < DIRECTIONS; d++) {
@@ -151,7 +153,7 @@ public final class DirectionEvaluator {
         }
     }
 
-    /** At the start of a level and after a lost life nothing is remembered. */
+    /** Flushes the network states at the start of a level and after a lost life. */
     private void flushAfterChange(Game game) {
         int lives = game.getPacmanNumberOfLivesRemaining();
         if (game.getCurrentLevelTime() == 0 || lives < livesBefore) {
@@ -161,9 +163,9 @@ public final class DirectionEvaluator {
     }
 
     /**
-     * The direction with the highest preference, drawn if several have it; drawn even if there is only one.
+     * Returns the direction with the highest preference. It draws a random number even if there is no tie.
      *
-     * @param clear the direction if it is known already, below 0 if preferences must be compared to the last bit
+     * @param clear the direction if it is already known; below 0 if exact preferences must be compared
      */
     private int preferredDirection(int clear, ResumableRandom random) {
         if (clear >= 0) {
@@ -178,7 +180,10 @@ public final class DirectionEvaluator {
         return use;
     }
 
-    /** Module usage that a genotype remembers: that of the LEFT direction's network. Quirk of the original. */
+    /**
+     * Returns the module usage that is stored in the genotype: that of the LEFT direction's network, a quirk of the
+     * original.
+     */
     int[] rememberedModuleUsage() {
         return states.get(DIRECTIONS - 1).moduleUsage();
     }

@@ -3,22 +3,22 @@ package mmneat.mspacman;
 import pacman.game.Game;
 
 /**
- * Is told what happens in an evaluation, in order: for reports, recordings and pictures. Games and counts that are passed on
- * are the live ones: to be read only, and only during the call.
+ * Receives the events of an evaluation in order, for reports, recordings and pictures. Games and counts that are passed
+ * are live objects: read them only during the call and do not change them.
  */
 public interface EvaluationObserver {
 
-    /** A trial begins; trials are numbered from 0. */
+    /** Called when a trial starts; trials are numbered from 0. */
     default void trialStarted(int trial) {}
 
-    /** A game of the trial begins. */
+    /** Called when a game of the trial starts. */
     default void gameStarted(TrialGame setting, Game game) {}
 
-    /** A step was played. */
+    /** Called after each step. */
     default void stepPlayed(Game game, DirectionEvaluator player) {}
 
     /**
-     * A level was finished.
+     * Called when a level was finished.
      *
      * @param level from 0
      * @param maze index of its maze
@@ -26,13 +26,13 @@ public interface EvaluationObserver {
     default void levelFinished(int level, int maze) {}
 
     /**
-     * A game is over.
+     * Called when a game is over.
      *
-     * @param end why
-     * @param player whose network uses are counted for this game
+     * @param end why the game ended
+     * @param player the player, with the module usage of this game
      */
     default void gameOver(TrialGame setting, Game game, GameEnd end, DirectionEvaluator player) {}
 
-    /** A trial is over; these are its scores, before they are aggregated over the trials. */
+    /** Called when a trial is over, with its scores before aggregation over the trials. */
     default void trialOver(int trial, double[] objectives, double[] otherScores) {}
 }

@@ -1,15 +1,15 @@
 package mmneat.mspacman;
 
-/** Why a game was over. */
+/** The reason for the end of a game. */
 public enum GameEnd {
     /** The last level was finished. */
     ALL_LEVELS_BEATEN,
     /** Ms. Pac-Man was caught in her last life. */
     LOST_ALL_LIVES,
-    /** She asked for the end because the level took too long. */
+    /** The player requested the end because the level took too long. */
     LEVEL_TIME_LIMIT,
-    /** The time for the whole game was over. */
+    /** The time limit of the whole game was reached. */
     GAME_TIME_LIMIT,
-    /** A power pill was eaten at the wrong time, or its edible time ran out, where rules punish that. */
+    /** A power pill was eaten at the wrong time, or its edible time ended, under rules that punish this. */
     PUNISHED
 }

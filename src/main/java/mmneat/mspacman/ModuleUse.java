@@ -3,18 +3,18 @@ package mmneat.mspacman;
 import java.util.Arrays;
 
 /**
- * How often output modules were used, by observation.
+ * Counts of how often output modules were used, by observation.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 9; the paper's figures of module use count the module of the
  * chosen direction.
  */
 public final class ModuleUse {
 
-    /** Situations in which module use is counted. */
+    /** The observations for which module use is counted. */
     public enum When {
         ALL,
         AT_JUNCTION,
-        /** Some ghost is edible. */
+        /** At least one ghost is edible. */
         EDIBLE,
         /** No ghost is edible. */
         THREAT,
@@ -26,7 +26,7 @@ public final class ModuleUse {
     private static final int EDIBLE_BIT = 1;
     private static final int JUNCTION_BIT = 2;
 
-    /** Counter of the direction chosen, behind those of the four networks. */
+    /** Index of the counter of the chosen direction, after those of the four networks. */
     private static final int CHOSEN = DIRECTIONS;
 
     private final int modules;
@@ -36,7 +36,7 @@ public final class ModuleUse {
 
     private int decisions;
 
-    /** Nothing used yet. */
+    /** Creates counts of 0. */
     public ModuleUse(int modules) {
         this.modules = modules;
         counts = new int[(DIRECTIONS + 1) * 4 * modules];
@@ -46,12 +46,12 @@ public final class ModuleUse {
         return (edible ? EDIBLE_BIT : 0) | (atJunction ? JUNCTION_BIT : 0);
     }
 
-    /** The network of a direction used a module. */
+    /** Counts a use of a module by the network of a direction. */
     void countNetwork(int direction, int observation, int module) {
         counts[(4 * direction + observation) * modules + module]++;
     }
 
-    /** A decision was made for a direction whose network last used a module. */
+    /** Counts a decision for a direction whose network last used this module. */
     void countDecision(int observation, int module) {
         decisions++;
         counts[(4 * CHOSEN + observation) * modules + module]++;
@@ -62,7 +62,7 @@ public final class ModuleUse {
         Arrays.fill(counts, 0);
     }
 
-    /** Adds what another use, of as many modules, counted. */
+    /** Adds the counts of another object with the same number of modules. */
     public void add(ModuleUse other) {
         decisions += other.decisions;
         for (int i = 0; i < counts.length; i++) {
@@ -70,7 +70,7 @@ public final class ModuleUse {
         }
     }
 
-    /** The same counts, independent of what is counted here later. */
+    /** Returns an independent copy. */
     public ModuleUse copy() {
         ModuleUse copy = new ModuleUse(modules);
         copy.add(this);

@@ -24,7 +24,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * The task of the paper: evolve networks that play Ms. Pac-Man. An evaluation plays several trials and aggregates their scores.
+ * The task of the paper: networks play Ms. Pac-Man. An evaluation plays several trials and aggregates their scores.
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 2 and 5.
  */
@@ -43,10 +43,12 @@ public final class MsPacManTask implements Task {
     /** The ghosts, if they only read and need no map; else null. */
     private final DirectGhosts directGhosts;
 
-    /** Stands where the generator of the ghosts' copy would stand, when ghosts that only read draw from it. */
+    /**
+     * Scratch generator for ghosts that only read the game, set to the state that their copy's generator would have.
+     */
     private final ResumableRandom scratch = new ResumableRandom(0);
 
-    /** A task; it belongs to one thread. */
+    /** Creates a task, which is used by one thread. */
     public MsPacManTask(MsPacManTaskSettings settings) {
         this.settings = settings;
         suite = SensorSuite.of(settings.sensors());
@@ -58,7 +60,7 @@ public final class MsPacManTask implements Task {
         directGhosts = readOnlyGhosts instanceof DirectGhosts direct ? direct : null;
     }
 
-    /** What an evaluation is. */
+    /** The settings of an evaluation. */
     public MsPacManTaskSettings settings() {
         return settings;
     }
@@ -78,14 +80,14 @@ public final class MsPacManTask implements Task {
         return others.stream().map(RecordedScore::label).toList();
     }
 
-    /** {@inheritDoc} Here the mean game score. */
+    /** {@inheritDoc} Here it is the mean game score. */
     @Override
     public double championScore(Evaluation evaluation) {
         return evaluation.otherScores()[0];
     }
 
     /**
-     * {@inheritDoc} Here the mean game score without its fraction: the quirk of docs/specification/evolution.md,
+     * {@inheritDoc} Here it is the mean game score without its fraction: the quirk of docs/specification/evolution.md,
      * section 5.5.
      */
     @Override
@@ -114,10 +116,10 @@ public final class MsPacManTask implements Task {
     }
 
     /**
-     * Scores a genotype and shows its games to an observer, which has no influence on the result.
+     * Evaluates a genotype and reports its games to an observer, which does not influence the result.
      *
      * @param observer may be null
-     * @throws IllegalArgumentException if the genotype's inputs or modules do not suit the task
+     * @throws IllegalArgumentException if the genotype's inputs or modules do not fit the task
      */
     public Evaluation evaluate(Genotype genotype, ResumableRandom random, EvaluationObserver observer) {
         DirectionEvaluator player =
@@ -147,7 +149,7 @@ public final class MsPacManTask implements Task {
                 outcomes);
     }
 
-    /** Plays; an exception, for example of a sensor of the user's own, names the trial. */
+    /** Plays the games of a trial. An exception, for example of a user's sensor, names the trial. */
     private GameEnd playTrial(
             int trial,
             TrialGame setting,
@@ -231,7 +233,10 @@ public final class MsPacManTask implements Task {
                 game.getTotalTime());
     }
 
-    /** Objectives first, then the others in their order: asking some of them has side effects on the game. */
+    /**
+     * Computes the objectives first, then the other scores in their order, because computing some of them has side
+     * effects on the game.
+     */
     private void addScores(
             TrialGame setting, Game game, int trial, double[][] trialObjectives, double[][] trialOthers) {
         for (int i = 0; i < objectives.size(); i++) {
@@ -246,7 +251,7 @@ public final class MsPacManTask implements Task {
         }
     }
 
-    /** The first game's score is taken over, so that minus zero stays what it is. */
+    /** Adds a score. The score of the first game is copied instead of added, so that minus zero is preserved. */
     private double plus(double sum, double score, TrialGame setting) {
         return setting == games.get(0) ? score : sum + score;
     }

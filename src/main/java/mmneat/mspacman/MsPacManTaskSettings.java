@@ -11,18 +11,18 @@ import pacman.game.GameSwitch;
 import pacman.game.GhostLocations;
 
 /**
- * What an evaluation in the Ms. Pac-Man task is. Immutable.
+ * The settings of an evaluation in the Ms. Pac-Man task. Immutable.
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 1, 2 and 7.
  *
  * @param version which games make a trial
  * @param trials trials per evaluation, at least 1
- * @param rules of a full game; in the isolated version its games are derived from them
- * @param sensors what networks sense
- * @param division names the module of each step for multitask networks; null if there is none
+ * @param rules rules of a full game; the games of the isolated version are derived from them
+ * @param sensors the sensors, which are the networks' inputs
+ * @param division selects the module of each step for multitask networks; null for others
  * @param arbitration how networks choose among their modules
- * @param ghosts makes the ghost team, one per task
- * @param deterministic whether a game's seed is the number of its trial instead of a number drawn for it
+ * @param ghosts creates the ghost team, one per task
+ * @param deterministic whether a game's seed is its trial number instead of a random number
  */
 public record MsPacManTaskSettings(
         TaskVersion version,
@@ -46,17 +46,17 @@ public record MsPacManTaskSettings(
         }
     }
 
-    /** The published blended version, for networks that choose their modules themselves. */
+    /** The published blended version, for networks with preference neurons. */
     public static MsPacManTaskSettings blended() {
         return published(TaskVersion.BLENDED, GameRules.blended(), SensorSettings.blended());
     }
 
-    /** The published interleaved version, for networks that choose their modules themselves. */
+    /** The published interleaved version, for networks with preference neurons. */
     public static MsPacManTaskSettings interleaved() {
         return published(TaskVersion.INTERLEAVED, GameRules.interleaved(), SensorSettings.imprisoned());
     }
 
-    /** The published isolated version, for networks that choose their modules themselves. */
+    /** The published isolated version, for networks with preference neurons. */
     public static MsPacManTaskSettings isolated(GhostLocations locations) {
         GameRules rules = GameRules.interleaved()
                 .withSwitches(GameSwitch.PILL_TASK)
@@ -69,23 +69,23 @@ public record MsPacManTaskSettings(
                 version, PUBLISHED_TRIALS, rules, sensors, null, ModuleArbitration.PREFERENCE, Legacy::new, false);
     }
 
-    /** The same with another number of trials. */
+    /** Returns these settings with another number of trials. */
     public MsPacManTaskSettings withTrials(int number) {
         return new MsPacManTaskSettings(version, number, rules, sensors, division, arbitration, ghosts, deterministic);
     }
 
-    /** The same for single games, each of which follows from its generator alone. */
+    /** Returns these settings for single games, each of which depends only on its generator. */
     public MsPacManTaskSettings forSingleGames() {
         return new MsPacManTaskSettings(version, 1, rules, sensors, division, arbitration, ghosts, false);
     }
 
-    /** The same with other rules of a full game. */
+    /** Returns these settings with other rules of a full game. */
     public MsPacManTaskSettings withRules(GameRules ofFullGame) {
         return new MsPacManTaskSettings(
                 version, trials, ofFullGame, sensors, division, arbitration, ghosts, deterministic);
     }
 
-    /** The same for multitask networks. */
+    /** Returns these settings for multitask networks. */
     public MsPacManTaskSettings withDivision(ModuleDivision ofTask) {
         return new MsPacManTaskSettings(version, trials, rules, sensors, ofTask, arbitration, ghosts, deterministic);
     }

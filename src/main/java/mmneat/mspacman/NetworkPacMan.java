@@ -14,10 +14,11 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * An evolved network as a controller of the competition's interface: plays under any rules, timed too.
+ * A controller of the competition's interface that plays with an evolved network, under any rules and also in timed
+ * games.
  *
- * <p>It decides as in evolution. Ties between modules and between directions are broken by a generator of its own, so that
- * playing does not disturb the game's.
+ * <p>It decides as in evolution. A separate generator breaks ties between modules and between directions, so that the
+ * game's generator is not affected.
  */
 public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
 
@@ -27,13 +28,13 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
     private final ResumableRandom ties;
 
     /**
-     * A player with a network.
+     * Creates a player with a network.
      *
-     * @param sensors what it senses: as many as the network has inputs
-     * @param arbitration how it chooses among its modules
-     * @param division names the module of each step for a multitask network; null for others
+     * @param sensors the sensors, one per input of the network
+     * @param arbitration how the network chooses among its modules
+     * @param division selects the module of each step for a multitask network; null for others
      * @param tieSeed seed of the numbers that break ties
-     * @throws IllegalArgumentException if the network does not suit the sensors or the division
+     * @throws IllegalArgumentException if the network does not fit the sensors or the division
      */
     public NetworkPacMan(
             Genotype network,
@@ -46,11 +47,11 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
     }
 
     /**
-     * A player with a network as it senses and chooses in a task. In the isolated version divisions tell one kind of game from
-     * another; full games are then divided as {@link #published} says.
+     * Creates a player with the sensors and the module choice of a task. In the isolated version a division
+     * distinguishes kinds of games; full games are then divided as in {@link #published}.
      *
-     * @param division names the module of each step for a multitask network; if null, that of the task
-     * @throws IllegalArgumentException if the network does not suit the task or the division
+     * @param division selects the module of each step for a multitask network; if null, the division of the task
+     * @throws IllegalArgumentException if the network does not fit the task or the division
      */
     public static NetworkPacMan of(MsPacManTaskSettings task, Genotype network, ModuleDivision division, long tieSeed) {
         ModuleDivision ofTask = task.version() == TaskVersion.ISOLATED ? publishedDivision(network) : task.division();
@@ -59,10 +60,10 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
     }
 
     /**
-     * A player with a network of the published experiments: its number of inputs tells which sensors it has.
+     * Creates a player with a network of the published experiments. Its number of inputs determines its sensors.
      *
-     * @param division names the module of each step for a multitask network; if null, the published division of full games
-     *     with as many modules
+     * @param division selects the module of each step for a multitask network; if null, the published division of full
+     *     games with this number of modules
      * @throws IllegalArgumentException if the network has neither 26, 30 nor 38 inputs
      */
     public static NetworkPacMan published(Genotype network, ModuleDivision division, long tieSeed) {
@@ -100,11 +101,11 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
         return decide(game, game.rnd);
     }
 
-    /** {@inheritDoc} The generator that is passed is not used: it belongs to the game. */
+    /** {@inheritDoc} The passed generator is not used, because it belongs to the game. */
     @Override
     public MOVE decide(Game game, ResumableRandom ofTheGame) {
         int direction = player.decide(game, ties);
-        // Null asks for the end of the game, as in the original.
+        // Null requests the end of the game, as in the original.
         return direction == DirectionEvaluator.END_GAME ? null : MOVES[direction];
     }
 }

@@ -14,7 +14,7 @@ public enum TaskVersion {
     /** A game of eating pills among threats, and four games of eating ghosts, per trial. */
     ISOLATED;
 
-    /** As it is written in commands, folder names and titles: {@code blended}, {@code interleaved} or {@code isolated}. */
+    /** The name in commands, folder names and titles: {@code blended}, {@code interleaved} or {@code isolated}. */
     public String label() {
         return name().toLowerCase(Locale.ROOT);
     }

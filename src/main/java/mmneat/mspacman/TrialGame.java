@@ -8,7 +8,7 @@ import pacman.game.GameRules;
 import pacman.game.GameSwitch;
 
 /**
- * One of the games that make a trial.
+ * One game of a trial.
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 2.5 and 7.3; docs/specification/simulator.md, section 7.
  *

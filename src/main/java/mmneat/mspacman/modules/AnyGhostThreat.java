@@ -3,7 +3,7 @@ package mmneat.mspacman.modules;
 import java.util.List;
 import mmneat.mspacman.sensors.Observation;
 
-/** Module 0 if no ghost is a threat, else 1. Not part of the published experiments. */
+/** A division: module 0 if no ghost is a threat, else 1. Not part of the published experiments. */
 public record AnyGhostThreat() implements ModuleDivision {
 
     private static final List<String> SITUATIONS = List.of("no threats", "a threat");

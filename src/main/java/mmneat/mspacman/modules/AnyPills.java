@@ -3,7 +3,9 @@ package mmneat.mspacman.modules;
 import java.util.List;
 import mmneat.mspacman.sensors.Observation;
 
-/** Module 0 if a pill or power pill is left, else 1: the pill task and the ghost task. The division of MT (isolated). */
+/**
+ * The division of MT (isolated): module 0 if a pill or power pill is left (the pill game), else 1 (the ghost games).
+ */
 public record AnyPills() implements ModuleDivision {
 
     private static final List<String> SITUATIONS = List.of("pills left", "no pills");

@@ -2,7 +2,7 @@ package mmneat.mspacman.modules;
 
 import mmneat.mspacman.sensors.Observation;
 
-/** The module with the maze's index, of four mazes. Not part of the published experiments. */
+/** A division: the module number is the index of the maze, 0 to 3. Not part of the published experiments. */
 public record EachMaze() implements ModuleDivision {
 
     @Override

@@ -3,7 +3,7 @@ package mmneat.mspacman.modules;
 import java.util.List;
 import mmneat.mspacman.sensors.Observation;
 
-/** Module 0 while power pills or edible ghosts remain, else 1. Not part of the published experiments. */
+/** A division: module 0 while power pills or edible ghosts remain, else 1. Not part of the published experiments. */
 public record GhostsThenPills() implements ModuleDivision {
 
     private static final List<String> SITUATIONS = List.of("power pills or edible ghosts", "pills");

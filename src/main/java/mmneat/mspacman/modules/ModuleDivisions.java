@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** Finds divisions by the names that the parameter {@code pacmanMultitaskScheme} gives them. */
+/** Finds divisions by the names in the parameter {@code pacmanMultitaskScheme}. */
 public final class ModuleDivisions {
 
     /** The original's class names, without package and without "ModeSelector". */
@@ -25,10 +25,10 @@ public final class ModuleDivisions {
     }
 
     /**
-     * The division with a name: the original's class name, with or without its package, or the name of a class of one's own
-     * on the class path.
+     * Returns the division with a name: the original's class name, with or without its package, or the name of a user's
+     * class on the class path.
      *
-     * @throws IllegalArgumentException if there is none; the message says what is known
+     * @throws IllegalArgumentException if there is none; the message lists the known names
      */
     public static ModuleDivision named(String name) {
         String simple = name.substring(name.lastIndexOf('.') + 1);

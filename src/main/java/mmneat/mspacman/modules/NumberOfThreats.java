@@ -4,8 +4,8 @@ import java.util.List;
 import mmneat.mspacman.sensors.Observation;
 
 /**
- * Module 0 if a ghost is edible, else 1 if fewer than four are threats, 2 if all four are. Not part of the published
- * experiments.
+ * A division: module 0 if a ghost is edible, else 1 if fewer than four are threats, 2 if all four are. Not part of the
+ * published experiments.
  */
 public record NumberOfThreats() implements ModuleDivision {
 

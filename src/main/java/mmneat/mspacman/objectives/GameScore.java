@@ -8,17 +8,17 @@ import pacman.game.Game;
 import pacman.game.GameRules;
 
 /**
- * What a finished game is worth in one respect.
+ * A score of a finished game, such as the number of eaten pills.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 5; the counters are those of docs/specification/simulator.md,
  * section 8.
  *
  * @param name the original's class name
- * @param ofGame the score of a finished game
+ * @param ofGame computes the score of a finished game
  */
 public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
 
-    /** Ghosts: 1, 2, 4, 8 for those eaten after one power pill. The first objective. */
+    /** Eaten ghosts, weighted 1, 2, 4, 8 in the order eaten after one power pill. The first objective. */
     public static final GameScore GHOST_REWARD = new GameScore("GhostRewardScore", Game::getGhostReward);
 
     /** Pills and power pills eaten. The second objective. */
@@ -32,8 +32,8 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
             new GameScore("GhostsPerPowerPillScore", game -> game.averageGhostsEatenPerPowerPill(true));
 
     /**
-     * Meant as the average over eaten power pills only. Quirk of the original: computing {@link #GHOSTS_PER_POWER_PILL} first
-     * pads the list that both use, so the two are always equal.
+     * Ghosts eaten per power pill, intended as the average over eaten power pills only. Quirk of the original:
+     * computing {@link #GHOSTS_PER_POWER_PILL} first pads the list that both use, so the two are always equal.
      */
     public static final GameScore GHOSTS_PER_EATEN_POWER_PILL =
             new GameScore("GhostsPerPowerPillScore", game -> game.averageGhostsEatenPerPowerPill(false));
@@ -47,7 +47,7 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
     /** Missed chances to eat ghosts, negative. */
     public static final GameScore GHOST_REGRET = new GameScore("GhostRegretScore", game -> -game.getGhostRegret());
 
-    /** How near the threats were when power pills were eaten. */
+    /** Closeness of the threats when power pills were eaten. */
     public static final GameScore LURING = new GameScore("LuringScore", Game::getLureDistanceSum);
 
     /** Power pills eaten while all ghosts were threats outside the lair. */
@@ -62,14 +62,14 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
     public static final GameScore POWER_PILLS_EATEN_WHEN_GHOSTS_FAR =
             new GameScore("PowerPillEatenWhenGhostFarScore", game -> -(double) game.getPowerPillsEatenWhenGhostFar());
 
-    /** Points made in one level, 0 if it was not reached. The levels of a game must be asked in ascending order. */
+    /** Points scored in one level; 0 if it was not reached. Compute the levels of a game in ascending order. */
     public static GameScore pointsOfLevel(int level) {
         return new GameScore("LevelGameScore", game -> game.getScore(level));
     }
 
     /**
-     * How long she survived, or how quickly she finished: from minus all the time there is, for an early death, through 0, if
-     * time ran out, to all the time there is, for clearing all levels at once.
+     * Survival time and speed combined: minus the whole time limit for an immediate death, 0 if time ran out, plus the
+     * whole time limit for clearing all levels immediately.
      */
     public static GameScore survivalAndSpeed(GameRules rules) {
         double levelLimit = rules.levels().levelTimeLimit();
@@ -82,7 +82,7 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
         });
     }
 
-    /** A parameter, recorded because experiments may change it while they run. */
+    /** The value of a parameter, recorded because experiments may change it during a run. */
     public static GameScore parameter(String name, double value) {
         return new GameScore(name, game -> value);
     }

@@ -10,16 +10,16 @@ import mmneat.evolution.ScoreStatistic;
 import pacman.game.GameRules;
 
 /**
- * A score that is recorded but not selected for, and how it is formed from trials.
+ * A score that is recorded but not used by selection, with the statistic that combines its trials.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 5.
  *
- * @param score what is recorded of each trial
- * @param statistic how trials become one number
+ * @param score the score of each trial
+ * @param statistic combines the trials into one number
  */
 public record RecordedScore(GameScore score, ScoreStatistic statistic) {
 
-    /** The 26 of the original, in its order, which has side effects: see the scores. */
+    /** Returns the 26 scores of the original in its order, which matters because some scores have side effects. */
     public static List<RecordedScore> ofTheOriginal(GameRules rules) {
         GameScore survival = GameScore.survivalAndSpeed(rules);
         List<RecordedScore> recorded = new ArrayList<>();

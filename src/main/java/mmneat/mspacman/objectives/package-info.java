@@ -1,2 +1,2 @@
-/** What a game is scored on: the objectives of evolution and the other scores that are recorded. */
+/** The scores of a game: the objectives of evolution and the other recorded scores. */
 package mmneat.mspacman.objectives;
