@@ -23,6 +23,10 @@ class ExamplesTest {
     private static final Path EXAMPLES = PROJECT.resolve("src/examples/java");
     private static final int MOST_LINES = 25;
 
+    /** Surefire starts the tests from a jar that refers to the class path. */
+    private static final String CLASS_PATH =
+            System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
+
     @TempDir
     private Path folder;
 
@@ -36,7 +40,7 @@ class ExamplesTest {
                 "NearExit | (?s).*results.near-exit.2M0.*",
             })
     void example_runs(String name, String output) throws Exception {
-        String path = Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+        String path = Arrays.stream(CLASS_PATH.split(File.pathSeparator))
                 .map(place -> Path.of(place).toAbsolutePath().toString())
                 .collect(Collectors.joining(File.pathSeparator));
         ProgramRun run = ProgramRun.java(folder, "-XX:+UseSerialGC", "-cp", path, name);

@@ -97,8 +97,10 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
         // evaluate plays Ms. Pac-Man.
         boolean canBeEvaluated = experiments.stream()
                 .anyMatch(experiment -> !experiment.version().isEmpty());
-        notes.add("Scores are the best of the last generation, of few games and so too high."
-                + (canBeEvaluated ? " Run evaluate for 1,000 games each." : ""));
+        notes.add("Scores are the best of the last generation, "
+                + (canBeEvaluated
+                        ? "of few games and so too high. Run evaluate for 1,000 games each."
+                        : "of few evaluations, and so too high."));
         return false;
     }
 

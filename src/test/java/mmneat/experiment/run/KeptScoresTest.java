@@ -100,7 +100,7 @@ class KeptScoresTest {
     void keptScores_ofATaskThatDependsOnChance_areRefused() throws Exception {
         RunOutcome outcome =
                 run(XorTask.class, "chance", "maxGens=2", "keepScores=true").get(0);
-        assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.FAILED);
+        assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.REFUSED);
         assertThat(outcome.message()).contains("keepScores=true", "depend on chance", "isDeterministic()");
     }
 
