@@ -49,9 +49,7 @@ class ReportCommandTest extends CommandTest {
         try (HeadlessChromium browser = HeadlessChromium.start()) {
             browser.open(page);
             assertThat(browser.text("h1")).isEqualTo("Two <methods>");
-            browser.evaluate("document.querySelectorAll('img').forEach(i => i.loading = 'eager')");
-            browser.waitUntil("[...document.images].every(i => i.complete && i.naturalWidth > 0)");
-            assertThat(browser.evaluate("document.querySelectorAll('figure img').length")
+            assertThat(browser.evaluate("document.querySelectorAll('figure').length")
                             .asInt())
                     .isEqualTo(3);
             assertThat(browser.text("#statistics")).contains("Kruskal-Wallis").contains("2M (paper)");
@@ -69,6 +67,72 @@ class ReportCommandTest extends CommandTest {
             assertThat(browser.text("#score")).isNotEqualTo("0");
             assertThat(browser.complaints()).isEmpty();
         }
+    }
+
+    @Test
+    void report_onScreensOfAllSizes_isReadable() throws IOException {
+        Path page = base.resolve("report.html");
+        assertThat(execute("report", base.resolve("blended").toString(), "out=" + page, "replays=none"))
+                .isZero();
+        try (HeadlessChromium browser = HeadlessChromium.start()) {
+            for (int[] size : new int[][] {{1366, 620}, {844, 390}, {390, 844}, {360, 640}}) {
+                browser.resize(size[0], size[1], size[0] < 1000);
+                browser.open(page);
+                assertThat(number(browser, "document.documentElement.scrollWidth - innerWidth"))
+                        .as("sideways scrolling")
+                        .isLessThanOrEqualTo(0);
+                assertThat(number(
+                                browser,
+                                "Math.min(...[...document.querySelectorAll('figure svg')]"
+                                        + ".filter(svg => svg.getBoundingClientRect().width)"
+                                        + ".flatMap(svg => [...svg.querySelectorAll('text')].map(text =>"
+                                        + " text.getAttribute('font-size') * svg.getBoundingClientRect().width"
+                                        + " / svg.viewBox.baseVal.width)))"))
+                        .as("smallest letters in pixels at %d x %d", size[0], size[1])
+                        .isGreaterThan(9);
+                openNetwork_keepsTheRowInView(browser);
+            }
+            assertThat(browser.complaints()).isEmpty();
+        }
+    }
+
+    private static void openNetwork_keepsTheRowInView(HeadlessChromium browser) {
+        String row = "document.querySelector('#champions input').closest('tr')";
+        browser.evaluate(row + ".scrollIntoView({block: 'center', behavior: 'instant'})");
+        String top = row + ".cells[0].getBoundingClientRect().top";
+        double before = number(browser, top);
+        browser.evaluate("document.querySelector('#champions input').click()");
+        assertThat(number(browser, top)).isEqualTo(before).isBetween(0.0, number(browser, "innerHeight"));
+        assertThat(number(browser, row + ".getBoundingClientRect().height")).isLessThan(80);
+        String drawing = row + ".nextElementSibling.querySelector('.drawing').getBoundingClientRect()";
+        assertThat(number(browser, drawing + ".top")).isLessThan(number(browser, "innerHeight"));
+        assertThat(number(browser, drawing + ".left")).isNotNegative();
+        assertThat(number(browser, drawing + ".right")).isLessThanOrEqualTo(number(browser, "innerWidth"));
+        assertThat(number(browser, drawing + ".height")).isGreaterThan(100);
+    }
+
+    @Test
+    void report_ofADarkScreen_isDark() throws IOException {
+        Path page = base.resolve("report.html");
+        assertThat(execute("report", base.resolve("blended").toString(), "out=" + page, "replays=none"))
+                .isZero();
+        try (HeadlessChromium browser = HeadlessChromium.start()) {
+            String background = "Number(getComputedStyle(document.body).backgroundColor.match(/\\d+/)[0])";
+            String ink = "Number(getComputedStyle(document.querySelector('td')).color.match(/\\d+/)[0])";
+            browser.open(page);
+            assertThat(number(browser, background)).isEqualTo(255);
+            assertThat(number(browser, ink)).isLessThan(100);
+            browser.preferDark(true);
+            assertThat(number(browser, background)).isLessThan(40);
+            assertThat(number(browser, ink)).isGreaterThan(200);
+            assertThat(browser.evaluate("getComputedStyle(document.querySelector('figure svg')).filter")
+                            .asText())
+                    .contains("invert");
+        }
+    }
+
+    private static double number(HeadlessChromium browser, String expression) {
+        return browser.evaluate(expression).asDouble();
     }
 
     @Test

@@ -1,6 +1,5 @@
 package mmneat.analysis.figures;
 
-import java.awt.Color;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -26,20 +25,18 @@ public final class ModuleUseFigure {
         List<Panel> panels = new ArrayList<>();
         double low = Double.POSITIVE_INFINITY;
         double high = 0;
-        boolean published = false;
+        List<Swatch> ours = new ArrayList<>();
+        List<Swatch> published = new ArrayList<>();
         for (int i = 0; i < experiments.size(); i++) {
             Experiment experiment = experiments.get(i);
             MethodStyle style = MethodStyle.of(all, all.indexOf(experiment));
-            Panel panel = new Panel(
-                    experiment.label(),
-                    "Champion's average score",
-                    i % Figure.columns(experiments.size()) == 0 ? "Most-used module, % of steps" : "");
+            Panel panel = new Panel(experiment.label(), "Champion's average score", "Most-used module, % of steps");
             List<PublishedResults.Champion> champions = paper.champions(experiment.version(), experiment.paperMethod());
             double[] theirs = champions.stream()
                     .mapToDouble(PublishedResults.Champion::averageScore)
                     .toArray();
             if (theirs.length > 0) {
-                published = true;
+                published.add(new Swatch.Point(style.marker(), MethodStyle.PAPER));
                 double[] shares = champions.stream()
                         .mapToDouble(PublishedResults.Champion::mostUsedModulePercent)
                         .toArray();
@@ -51,6 +48,7 @@ public final class ModuleUseFigure {
                     .mapToDouble(run -> run.evaluation().orElseThrow().mostUsedModulePercent())
                     .toArray();
             panel.points(scores, shares, style);
+            ours.add(new Swatch.Point(style.marker(), style.color()));
             low = Stream.of(scores, theirs).flatMapToDouble(Arrays::stream).reduce(low, Math::min);
             high = Stream.of(scores, theirs).flatMapToDouble(Arrays::stream).reduce(high, Math::max);
             panels.add(panel);
@@ -59,16 +57,14 @@ public final class ModuleUseFigure {
         for (Panel panel : panels) {
             panel.range(low - margin, high + margin, 0, 105);
         }
-        List<Key> keys = published
-                ? List.of(
-                        new Key("ours", Key.Sign.POINT, new Color(0x40, 0x44, 0x4d), null),
-                        new Key("the paper's", Key.Sign.POINT, MethodStyle.PAPER, null))
-                : List.of();
+        List<LegendEntry> legend = published.isEmpty()
+                ? List.of()
+                : List.of(new LegendEntry("ours", ours), new LegendEntry("the paper's", published));
         return Optional.of(Figure.grid(
                 LearningCurveFigure.prefix(version) + "modules",
                 "Each champion's average score after evolution against the share of time steps in which its most-used"
-                        + " module decided" + LearningCurveFigure.behind(published) + ".",
+                        + " module decided" + LearningCurveFigure.behind(!published.isEmpty()) + ".",
                 panels,
-                keys));
+                legend));
     }
 }

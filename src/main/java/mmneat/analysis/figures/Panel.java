@@ -6,7 +6,10 @@ import java.awt.Font;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import mmneat.analysis.figures.Canvas.Align;
 
 /** A chart with two axes, curves, areas, points and labels: white, with few lines and large enough letters. */
@@ -17,7 +20,8 @@ final class Panel {
 
     private record Points(double[] x, double[] y, MethodStyle style) {}
 
-    private record Label(String text, double x, double y, Color color) {}
+    /** The name of a curve, beside its right end. */
+    private record Label(String text, double y, Color color) {}
 
     private static final Font TITLE_FONT = new Font(Font.SANS_SERIF, Font.BOLD, 14);
     private static final Font AXIS_FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
@@ -32,6 +36,7 @@ final class Panel {
     private static final int TITLE_HEIGHT = 24;
     private static final int TICK_LENGTH = 4;
     private static final int TICK_GAP = 4;
+    private static final int LABEL_GAP = 7;
     private static final int POINTS_PER_TICK_ACROSS = 76;
     private static final int POINTS_PER_TICK_UP = 44;
 
@@ -82,9 +87,9 @@ final class Panel {
         points.add(new Points(x, y, style));
     }
 
-    /** A text beside a place of the chart. */
-    void label(String text, double x, double y, Color color) {
-        labels.add(new Label(text, x, y, color));
+    /** A text to the right of the chart, near the height of a value. */
+    void label(String text, double y, Color color) {
+        labels.add(new Label(text, y, color));
     }
 
     /** The smallest value of all curves and bands. */
@@ -103,21 +108,31 @@ final class Panel {
         up = Axis.of(bottom, top);
     }
 
-    void paint(Canvas canvas, int width, int height) {
+    /**
+     * Draws the panel below and right of the origin.
+     *
+     * @param width in points
+     * @param height in points
+     * @param withYTitle whether the title of the vertical axis is written
+     */
+    void paint(Canvas canvas, int width, int height, boolean withYTitle) {
         int rows = Math.max(2, height / POINTS_PER_TICK_UP);
         List<Double> ticksUp = up.ticks(rows);
         double widest = ticksUp.stream()
                 .mapToDouble(tick -> TextWidth.of(up.label(tick, rows), TICK_FONT))
                 .max()
                 .orElse(0);
-        double left =
-                MARGIN + (yTitle.isEmpty() ? 0 : AXIS_FONT.getSize() + 2 * TICK_GAP) + widest + TICK_GAP + TICK_LENGTH;
+        double left = MARGIN + (!withYTitle ? 0 : AXIS_FONT.getSize() + 2 * TICK_GAP) + widest + TICK_GAP + TICK_LENGTH;
         double top = MARGIN + (title.isEmpty() ? 0 : TITLE_HEIGHT);
         double bottom = height - MARGIN - AXIS_FONT.getSize() - TICK_FONT.getSize() - 2 * TICK_GAP - TICK_LENGTH;
-        Frame frame = new Frame(left, top, width - MARGIN, bottom);
+        double labelWidth = labels.stream()
+                .mapToDouble(label -> TextWidth.of(label.text, LABEL_FONT) + LABEL_GAP)
+                .max()
+                .orElse(0);
+        Frame frame = new Frame(left, top, width - MARGIN - labelWidth, bottom);
         canvas.text(title, (frame.left + frame.right) / 2, MARGIN + 10, TITLE_FONT, TEXT, Align.MIDDLE);
         canvas.text(xTitle, (frame.left + frame.right) / 2, height - MARGIN, AXIS_FONT, TEXT, Align.MIDDLE);
-        if (!yTitle.isEmpty()) {
+        if (withYTitle) {
             canvas.textUpwards(yTitle, MARGIN + AXIS_FONT.getSize() - 2, (top + bottom) / 2, AXIS_FONT, TEXT);
         }
         paintAxes(canvas, frame, ticksUp, rows);
@@ -129,10 +144,34 @@ final class Panel {
                 }
             }
         }
-        for (Label label : labels) {
-            double base = frame.y(label.y) + LABEL_FONT.getSize() / 3.0;
-            canvas.text(label.text, frame.x(label.x), base, LABEL_FONT, label.color, Align.START);
+        paintLabels(canvas, frame);
+    }
+
+    private void paintLabels(Canvas canvas, Frame frame) {
+        double[] places =
+                apart(labels.stream().mapToDouble(label -> frame.y(label.y)).toArray(), LABEL_FONT.getSize() + 2);
+        for (int i = 0; i < places.length; i++) {
+            Label label = labels.get(i);
+            double base = places[i] + LABEL_FONT.getSize() / 3.0;
+            canvas.text(label.text, frame.right + LABEL_GAP, base, LABEL_FONT, label.color, Align.START);
         }
+    }
+
+    /** Places near the given ones with at least {@code gap} points between every two. */
+    private static double[] apart(double[] wanted, double gap) {
+        double[] places = wanted.clone();
+        Integer[] order = IntStream.range(0, wanted.length).boxed().toArray(Integer[]::new);
+        Arrays.sort(order, Comparator.comparingDouble(i -> wanted[i]));
+        for (int round = 0; round < 200; round++) {
+            for (int k = 1; k < order.length; k++) {
+                double missing = gap - (places[order[k]] - places[order[k - 1]]);
+                if (missing > 0) {
+                    places[order[k]] += missing / 2;
+                    places[order[k - 1]] -= missing / 2;
+                }
+            }
+        }
+        return places;
     }
 
     private void paintAxes(Canvas canvas, Frame frame, List<Double> ticksUp, int rows) {

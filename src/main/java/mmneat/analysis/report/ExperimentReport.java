@@ -48,6 +48,9 @@ public final class ExperimentReport {
             "pacManLevelTimeLimit",
             "parallelEvaluations");
 
+    /** Columns of the table of champions. */
+    private static final int COLUMNS = 11;
+
     private final List<Experiment> experiments;
     /** One per version of the task. */
     private final List<ExperimentComparison> comparisons;
@@ -104,8 +107,10 @@ public final class ExperimentReport {
                 .with(
                         "figures",
                         figures.stream()
-                                .map(figure -> "<figure>" + Html.image(figure.svg(), figure.caption()) + "<figcaption>"
-                                        + Page.escape(figure.caption()) + "</figcaption></figure>\n")
+                                .map(figure -> "<figure>"
+                                        + Html.drawing(figure.svg(), "drawing wide", figure.caption())
+                                        + Html.drawing(figure.narrowSvg(), "drawing narrow", figure.caption())
+                                        + "<figcaption>" + Page.escape(figure.caption()) + "</figcaption></figure>\n")
                                 .collect(Collectors.joining()))
                 .with("statistics", comparisons.stream().map(this::statistics).collect(Collectors.joining()))
                 .with(
@@ -154,7 +159,6 @@ public final class ExperimentReport {
             cell(html, evaluation == null ? "-" : Numbers.interval(evaluation.low(), evaluation.high()));
             cell(html, evaluation == null ? "-" : Numbers.decimal(evaluation.mostUsedModulePercent(), 1) + " %");
             network(html, run, replays.apply(experiment, run));
-            html.append("</tr>\n");
         }
         return html.append(
                         "</tbody></table></div>\n<p>\u2605 the best. A champion is chosen in the last generation that has children, by the"
@@ -167,6 +171,7 @@ public final class ExperimentReport {
             for (int column = 0; column < 5; column++) {
                 cell(html, "-");
             }
+            html.append("</tr>\n");
             return;
         }
         Champion champion = Champion.read(run.folder()).withJar(jar);
@@ -177,10 +182,13 @@ public final class ExperimentReport {
         cell(html, String.valueOf(genotype.links().size()));
         html.append("<td>")
                 .append(replay == null ? "-" : "<a href=\"" + Page.escape(replay) + "\">watch</a>")
-                .append("</td><td><details><summary>show</summary>")
-                .append(Html.image(NetworkSvg.of(genotype, labels.labels()), "network of run " + run.number()))
+                .append("</td><td><label><input type=\"checkbox\">show</label></td></tr>\n");
+        // The network is a row of its own, so that the run's row stays where it is when the network opens.
+        html.append("<tr class=\"network\"><td colspan=\"" + COLUMNS + "\">")
+                .append(Html.drawing(
+                        NetworkSvg.of(genotype, labels.labels()), "drawing", "network of run " + run.number()))
                 .append(labels.remark().isEmpty() ? "" : "<p>" + Page.escape(labels.remark()) + "</p>")
-                .append("</details></td>");
+                .append("</td></tr>\n");
     }
 
     private static void cell(StringBuilder html, String text) {

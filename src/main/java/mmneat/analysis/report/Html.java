@@ -1,17 +1,15 @@
 package mmneat.analysis.report;
 
-import java.nio.charset.StandardCharsets;
-import java.util.Base64;
 import java.util.List;
 import mmneat.analysis.Page;
 import mmneat.analysis.statistics.TextTable;
 
-/** Pieces of HTML. */
+/** Fragments of HTML: tables and drawings. */
 final class Html {
 
     private Html() {}
 
-    /** A table; rows whose last cell is a star are set off. */
+    /** A table; rows whose last cell is a star are emphasised. */
     static String table(TextTable table) {
         StringBuilder html = new StringBuilder("<div class=\"scroll\"><table><thead><tr>");
         table.header()
@@ -25,10 +23,14 @@ final class Html {
         return html.append("</tbody></table></div>\n").toString();
     }
 
-    /** A picture inside the page. Drawings keep their own identifiers apart when they are images. */
-    static String image(String svg, String description) {
-        String data = Base64.getEncoder().encodeToString(svg.getBytes(StandardCharsets.UTF_8));
-        return "<img loading=\"lazy\" alt=\"" + Page.escape(description) + "\" src=\"data:image/svg+xml;base64," + data
-                + "\">";
+    /**
+     * A drawing as part of the page: its text can be searched and copied, and its parts say what they are when pointed at.
+     *
+     * @param svg an SVG document without identifiers
+     * @param classes CSS classes of the element around it
+     */
+    static String drawing(String svg, String classes, String description) {
+        return "<div class=\"" + classes + "\" role=\"group\" aria-label=\"" + Page.escape(description) + "\">" + svg
+                + "</div>";
     }
 }

@@ -51,8 +51,8 @@ class MindView {
     const inputs = this.network.inputs.length;
     const small = width < 560;
     const at = this.at = { width, height, small };
-    at.label = small ? Math.min(150, width * .36) : Math.min(210, width * .3);
-    at.cell = small ? 19 : Math.max(24, Math.min(46, width * .05));
+    at.label = small ? Math.min(150, width * .41) : Math.min(210, width * .3);
+    at.cell = small ? 17 : Math.max(24, Math.min(46, width * .05));
     at.top = 50;
     at.row = (height - at.top - 4) / Math.max(1, inputs);
     at.first = at.label + 4 * at.cell + 12;
@@ -119,7 +119,7 @@ class MindView {
       c.fillStyle = "#8f99bd"; c.textAlign = "left"; c.textBaseline = "middle"; c.font = "12px system-ui, sans-serif";
       const late = decided - evaluated, steps = Math.abs(late) === 1 ? "step" : "steps";
       const when = late > 0 ? `${late} ${steps} ago` : `in ${-late} ${steps}`;
-      c.fillText(fit(c, `${DIRECTION_SIGNS[direction]} wall; network as it was ${when}`.replace("was in", "will be in"), width - this.at.first - 14), this.at.first + 8, 12);
+      c.fillText(fit(c, this.at.small ? "wall, " + when : `${DIRECTION_SIGNS[direction]} is a wall; values of the network ${when}`, width - this.at.first - 14), this.at.first + 8, 12);
     }
   }
 

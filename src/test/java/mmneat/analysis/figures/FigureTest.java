@@ -68,6 +68,50 @@ class FigureTest {
     }
 
     @Test
+    void legend_showsEverySwatchAsTheFigureDrawsIt() {
+        Figure medians = LearningCurveFigure.overview("blended", experiments, paper);
+        assertThat(swatches(medians, "1M")).containsExactly("stroke=#1a1a1a width=2.2 dash=2 3");
+        assertThat(swatches(medians, "the paper's"))
+                .containsExactly("stroke=#a9aeb8 width=1.3 dash=2 3", "stroke=#a9aeb8 width=1.3 dash=");
+        Figure curves = LearningCurveFigure.panels("blended", experiments, paper);
+        assertThat(swatches(curves, "median over runs"))
+                .endsWith("stroke=#1a1a1a width=2 dash=", "stroke=#0072b2 width=2 dash=");
+        assertThat(swatches(curves, "quartiles")).hasSize(2).doesNotHaveDuplicates();
+        Figure modules = ModuleUseFigure.of("blended", experiments, paper).orElseThrow();
+        assertThat(swatches(modules, "ours")).endsWith("fill=#1a1a1a", "fill=#0072b2");
+        assertThat(swatches(modules, "the paper's")).containsExactly("fill=#a9aeb8", "fill=#a9aeb8");
+        for (Figure figure : List.of(medians, curves, modules)) {
+            assertThat(figure.narrowSvg()).contains("width=\"380\"").contains("the paper's".replace("'", "&#39;"));
+        }
+    }
+
+    /** The drawings in front of an entry's text, which is the last one of that wording, back to the text before (for the first entry with the data of the last panel). */
+    private static List<String> swatches(Figure figure, String text) {
+        List<String> lines = figure.svg().lines().toList();
+        int end = lines.size() - 1;
+        while (!lines.get(end).endsWith(">" + text.replace("'", "&#39;") + "</text>")) {
+            end--;
+        }
+        int start = end;
+        while (lines.get(start - 1).startsWith("<path")) {
+            start--;
+        }
+        return lines.subList(start, end).stream()
+                .map(path -> path.contains("stroke=")
+                        ? "stroke=" + attribute(path, "stroke") + " width=" + attribute(path, "stroke-width") + " dash="
+                                + attribute(path, "stroke-dasharray")
+                        : "fill=" + attribute(path, "fill"))
+                .toList();
+    }
+
+    private static String attribute(String element, String name) {
+        int start = element.indexOf(" " + name + "=\"");
+        return start < 0
+                ? ""
+                : element.substring(start + name.length() + 3, element.indexOf('"', start + name.length() + 3));
+    }
+
+    @Test
     void names_tellVersionAndKind() {
         assertThat(LearningCurveFigure.overview("blended", experiments, paper).name())
                 .isEqualTo("blended-medians");
