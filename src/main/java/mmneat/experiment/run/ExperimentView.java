@@ -1,7 +1,7 @@
 package mmneat.experiment.run;
 
 import com.fasterxml.jackson.core.JacksonException;
-import com.fasterxml.jackson.core.type.TypeReference;
+import com.fasterxml.jackson.core.JsonParseException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.nio.file.FileVisitOption;
@@ -14,14 +14,15 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DurableFiles;
 import mmneat.experiment.store.GenerationTable;
@@ -140,10 +141,7 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
         }
         plan.runs().forEach(run -> numbers.add(run.number()));
         String saveTo = plan.parameters().text("saveTo");
-        Map<String, Object> content = new LinkedHashMap<>();
-        content.put("saveTo", saveTo);
-        content.put("runs", numbers);
-        DurableFiles.write(file, JsonMapper.builder().build().writeValueAsBytes(content));
+        DurableFiles.write(file, JsonMapper.builder().build().writeValueAsBytes(new AskedRuns(saveTo, numbers)));
     }
 
     private static List<RunView> asked(Path file) throws IOException {
@@ -152,18 +150,36 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
             return List.of();
         }
         String name = fileName.substring(0, fileName.length() - ASKED.length());
-        Map<String, Object> content;
+        AskedRuns asked;
         try {
-            content = JsonMapper.builder().build().readValue(file.toFile(), new TypeReference<>() {});
+            asked = JsonMapper.builder().build().readValue(file.toFile(), AskedRuns.class);
+            if (asked == null) {
+                throw new JsonParseException(null, "it is null");
+            }
         } catch (JacksonException e) {
             throw new UserError(
                     file + ": is damaged; remove it, it only says which runs were asked for and is made again", e);
         }
         List<RunView> waiting = new ArrayList<>();
-        for (Object number : (List<?>) content.getOrDefault("runs", List.of())) {
-            int run = ((Number) number).intValue();
-            waiting.add(RunView.waiting(file.resolveSibling(content.get("saveTo") + "" + run), name, run));
+        for (int run : asked.runs()) {
+            waiting.add(RunView.waiting(file.resolveSibling(asked.saveTo() + run), name, run));
         }
         return waiting;
+    }
+
+    /**
+     * What the file says.
+     *
+     * @param saveTo what the folders of the runs are called, without their numbers
+     * @param runs numbers of the runs
+     */
+    private record AskedRuns(String saveTo, SortedSet<Integer> runs) {
+        AskedRuns {
+            Objects.requireNonNull(saveTo, "saveTo");
+            PlainText.require("saveTo", saveTo);
+            if (runs == null || runs.stream().anyMatch(run -> run == null || run < 0)) {
+                throw new IllegalArgumentException("runs must be numbers of runs, are " + runs);
+            }
+        }
     }
 }

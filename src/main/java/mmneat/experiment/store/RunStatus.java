@@ -11,6 +11,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Optional;
+import mmneat.experiment.PlainText;
 
 /**
  * The progress of a run, written to {@code status.json} for other programs. Nothing is resumed from it.
@@ -45,6 +46,11 @@ public record RunStatus(
     private static final ObjectMapper JSON = JsonMapper.builder()
             .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
             .build();
+
+    /** The message may be from a file of someone else, and goes to terminals. */
+    public RunStatus {
+        message = message == null ? null : PlainText.shown(message);
+    }
 
     /** Reads the status in a run's folder; empty if there is no readable status. */
     public static Optional<RunStatus> read(Path directory) throws IOException {

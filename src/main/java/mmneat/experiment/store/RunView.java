@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Map;
 import java.util.Optional;
+import mmneat.experiment.PlainText;
 
 /**
  * The state of a run, read from its files, whether or not a process works on it.
@@ -68,7 +69,7 @@ public record RunView(
         }
         return new RunView(
                 directory,
-                parameters.getOrDefault("log", ""),
+                PlainText.shown(parameters.getOrDefault("log", "")),
                 Integer.parseInt(parameters.getOrDefault("runNumber", "0")),
                 state,
                 status.orElse(null),
