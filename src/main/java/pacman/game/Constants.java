@@ -1,10 +1,10 @@
 package pacman.game;
 
 /**
- * The numbers and names of the Ms. Pac-Man vs Ghosts competition (release 6.2), as controllers use them.
+ * The constants of the Ms. Pac-Man vs Ghosts competition (release 6.2) that controllers use.
  *
- * <p>They are compile-time constants at competition values. What a set of rules changes (lives, edible time, ...) is read
- * from {@link GameRules}, never from here. Times are in game steps of 40 ms, distances in nodes.
+ * <p>They are compile-time constants with the competition's values. Values that rules can change (lives, edible time,
+ * ...) are read from {@link GameRules}, never from here. Times are in game steps of 40 ms, distances in nodes.
  *
  * <p>Source: docs/specification/simulator.md, section 2.1; docs/specification/controllers.md, section 1.
  */
@@ -49,18 +49,18 @@ public final class Constants {
     public static final int GHOST_SPEED_REDUCTION = 2;
     /** Edible time below which the view makes ghosts blink. */
     public static final int EDIBLE_ALERT = 30;
-    /** Milliseconds between two looks at controllers that are still computing. */
+    /** Milliseconds between two checks of controllers that are still computing. */
     public static final int INTERVAL_WAIT = 1;
-    /** Start-up milliseconds allowed by the competition server; nothing enforces it. */
+    /** Start-up milliseconds allowed by the competition server; not enforced here. */
     public static final int WAIT_LIMIT = 5000;
-    /** Megabytes allowed by the competition server; nothing enforces it. */
+    /** Megabytes allowed by the competition server; not enforced here. */
     public static final int MEMORY_LIMIT = 512;
-    /** Megabytes of file input and output allowed by the competition server; nothing enforces it. */
+    /** Megabytes of file input and output allowed by the competition server; not enforced here. */
     public static final int IO_LIMIT = 10;
 
-    /** Where the original keeps its maze files; our mazes are drawings inside the jar. */
+    /** The original's folder of maze files; our mazes are drawings inside the jar. */
     public static final String pathMazes = "data/pacman/mazes";
-    /** Where the original keeps its distance files; ours are computed. */
+    /** The original's folder of distance files; our distances are computed. */
     public static final String pathDistances = "data/pacman/distances";
 
     public static final String[] nodeNames = {"a", "b", "c", "d"};
@@ -73,10 +73,10 @@ public final class Constants {
     /** Height of the view in maze pixels. */
     public static final int GV_HEIGHT = 130;
 
-    /** Where the original keeps its images; our view draws its own. Entries may set it; nothing here reads it. */
+    /** The original's folder of images; our view draws its own. Entries may set it; it is not used here. */
     public static String pathImages = "data/pacman/images";
 
-    /** The original's pictures of the mazes. Entries may set them; nothing here reads them. */
+    /** The original's pictures of the mazes. Entries may set them; they are not used here. */
     public static String[] mazeNames = {"maze-a.png", "maze-b.png", "maze-c.png", "maze-d.png"};
 
     private Constants() {}
@@ -91,7 +91,7 @@ public final class Constants {
 
         private static final MOVE[] OPPOSITES = {DOWN, LEFT, UP, RIGHT, NEUTRAL};
 
-        /** The direction back; NEUTRAL is its own. */
+        /** Returns the opposite direction; NEUTRAL for NEUTRAL. */
         public MOVE opposite() {
             return OPPOSITES[ordinal()];
         }
@@ -112,7 +112,7 @@ public final class Constants {
         }
     }
 
-    /** How distance is measured: along the corridors, or in pixels without regard for walls. */
+    /** The measures of distance: along the corridors, or in pixels ignoring walls. */
     public enum DM {
         PATH,
         EUCLID,

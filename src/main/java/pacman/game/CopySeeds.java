@@ -1,6 +1,6 @@
 package pacman.game;
 
-/** The seeds of the generators that copies of a game have for themselves under {@link GameRules.Copies#ARE_INDEPENDENT}. */
+/** Seeds of the generators of independent copies of a game ({@link GameRules.Copies#ARE_INDEPENDENT}). */
 final class CopySeeds {
 
     /** An odd number near 2^64 divided by the golden ratio: it spreads a counter over all numbers. */
@@ -9,10 +9,11 @@ final class CopySeeds {
     private CopySeeds() {}
 
     /**
-     * The finaliser of SplitMix64 (Steele, Lea and Flood 2014, doi:10.1145/2660193.2660195) over a counter. It mixes all bits,
-     * so that neighbouring copies have nothing in common; a generator keeps 48 of the 64, so that it does not tell the seed.
+     * The finaliser of SplitMix64 (Steele, Lea and Flood 2014, doi:10.1145/2660193.2660195) over a counter. It mixes
+     * all bits, so that neighbouring copies are unrelated. A generator keeps 48 of the 64 bits, so the seed cannot be
+     * recovered from it.
      *
-     * @param seed of the game or of the copy that is copied
+     * @param seed seed of the game or copy that is being copied
      * @param time game time in steps
      * @param number of the copy, from 1
      */

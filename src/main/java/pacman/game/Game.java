@@ -17,13 +17,14 @@ import pacman.maze.MazeTables;
 /**
  * A game of Ms. Pac-Man vs Ghosts: the competition's interface on top of the engine.
  *
- * <p>Usually a loop asks both controllers, each with a {@link #copy()} of its own, and passes the answers to {@link
- * #advanceGame}, until {@link #gameOver()}. Times are in game steps, path distances in nodes, other distances in pixels.
- * A node is its index in the maze's graph; a pill or power pill "number" is its position in the list of the maze, not a
- * node. Node arguments outside the maze throw {@link IndexOutOfBoundsException}. Arrays of the maze that queries return
- * (moves, neighbours, junctions, pills) are shared: do not modify them.
+ * <p>Usually a loop calls both controllers, each with its own {@link #copy()}, and passes the answers to {@link
+ * #advanceGame}, until {@link #gameOver()}. Times are in game steps, path distances in nodes, other distances in
+ * pixels. A node is its index in the maze's graph; a pill or power pill "number" is its position in the list of the
+ * maze, not a node. Node arguments outside the maze throw {@link IndexOutOfBoundsException}. Arrays of the maze that
+ * queries return (moves, neighbours, junctions, pills) are shared: do not modify them.
  *
- * <p>A game belongs to one thread at a time; different games share nothing that changes, except a generator passed to several.
+ * <p>A game is used by one thread at a time. Different games share no mutable state, except a generator that is passed
+ * to several.
  *
  * <p>Source: docs/specification/simulator.md, section 6.
  */
@@ -34,24 +35,24 @@ public final class Game {
     /** Completed calls after which a null move of Ms. Pac-Man ends the game. */
     private static final int CALLS_BEFORE_NULL_COUNTS = 10;
 
-    /** The paths of the four mazes; section 1.4. Not final in the competition's interface; nothing here reads it. */
+    /** The paths of the four mazes; section 1.4. Not final in the competition's interface; not used here. */
     public static PathsCache[] caches = {new PathsCache(0), new PathsCache(1), new PathsCache(2), new PathsCache(3)};
 
     /**
-     * The game's own generator. Under rules whose copies continue the game, a controller that draws from its copy's sees the
-     * numbers that the engine is about to use.
+     * The game's own generator. Under rules whose copies continue the game, the generator of a copy returns the numbers
+     * that the engine will draw next.
      */
     public final ResumableRandom rnd;
 
     private final GameState state;
 
-    /** A competition game in the first maze. */
+    /** Creates a competition game in the first maze. */
     public Game(long seed) {
         this(seed, 0);
     }
 
     /**
-     * A competition game that starts in one of the four mazes.
+     * Creates a competition game that starts in one of the four mazes.
      *
      * @throws IllegalArgumentException if there is no such maze
      */
@@ -59,17 +60,17 @@ public final class Game {
         this(seed, initialMaze == 0 ? CompetitionRules.RULES : CompetitionRules.from(initialMaze));
     }
 
-    /** A game by given rules, every random number of which follows from the seed. */
+    /** Creates a game by given rules. The seed determines all its random numbers. */
     public Game(long seed, GameRules rules) {
         this(seed, rules, null);
     }
 
     /**
-     * A game by given rules that is part of a larger run.
+     * Creates a game by given rules that is part of a larger run.
      *
-     * @param shared the run's generator, from which the original draws what has to do with the task: places of ghosts that
-     *     leave the lair, missing pills, and a number whenever a ghost's edible time runs out. Copies that continue the game
-     *     draw from it too. If null, the game's own generator is used
+     * @param shared the run's generator, from which the original draws the random numbers of the task: locations of
+     *     ghosts that leave the lair, missing pills, and a number whenever a ghost's edible time ends. Copies that
+     *     continue the game also draw from it. If null, the game's own generator is used
      */
     public Game(long seed, GameRules rules, ResumableRandom shared) {
         this(new GameState(seed, rules, shared));
@@ -80,7 +81,7 @@ public final class Game {
         rnd = state.random;
     }
 
-    /** The default rules, in a class of their own so that they exist before {@link #caches} makes games. */
+    /** The default rules, in a separate class so that they exist before {@link #caches} creates games. */
     private static final class CompetitionRules {
         static final GameRules RULES = GameRules.competition();
 
@@ -92,45 +93,50 @@ public final class Game {
     // ---- Copying and starting again
 
     /**
-     * A game in the same state. Which random numbers it draws, the rules decide: {@link GameRules.Copies}. By MM-NEAT's
-     * conventions it forgets most switches, and what was eaten; see {@link GameRules.Conventions}.
+     * Returns a game in the same state. The rules determine its random numbers: {@link GameRules.Copies}. By MM-NEAT's
+     * conventions a copy loses most switches and the record of what was eaten; see {@link GameRules.Conventions}.
      */
     public Game copy() {
         return new Game(state.copy());
     }
 
     /**
-     * Sets a generator to where the generator of the next {@link #copy()} would stand, and counts for that copy. A controller
-     * that only reads this game and draws from {@code scratch} then answers as it would with the copy.
+     * Sets a generator to the state of the generator of the next {@link #copy()}, and counts as that copy. A controller
+     * that only reads this game and draws from {@code scratch} then gives the same answer as with the copy.
      */
     public void continueAsCopy(ResumableRandom scratch) {
         state.continueAsCopy(scratch);
     }
 
-    /** A copy for a view, which does not count for one: a game goes on the same whether it is shown or not. */
+    /** Returns a copy for a view. It does not count as a copy, so that showing a game does not change it. */
     Game snapshot() {
         return new Game(state.snapshot());
     }
 
-    /** Begins a new game by the same rules in this object, without allocation; the switches are those of the rules again. */
+    /**
+     * Starts a new game by the same rules in this object, without allocation. Switches are reset to those of the rules.
+     */
     public void restart(long seed) {
         state.restart(seed);
     }
 
-    /** The rules of the game; switches set later are not in them. */
+    /** The rules of the game, without switches that were set later. */
     public GameRules rules() {
         return state.rules;
     }
 
-    /** The state as a string of comma-separated fields: 35 by the competition's conventions, 56 by MM-NEAT's. */
+    /**
+     * Returns the state as a string of comma-separated fields: 35 by the competition's conventions, 56 by MM-NEAT's.
+     */
     public String getGameState() {
         return StateText.write(state);
     }
 
     /**
-     * Restores what {@link #getGameState()} of either conventions holds, and nothing else.
+     * Restores a state string of either conventions. Everything that the string does not contain stays unchanged.
      *
-     * @throws IllegalArgumentException if the string is not a state of a game in these mazes; the game is then unchanged
+     * @throws IllegalArgumentException if the string is not a state of a game in these mazes; the game is then
+     *     unchanged
      */
     public void setGameState(String gameState) {
         StateText.read(state, gameState);
@@ -141,9 +147,9 @@ public final class Game {
     /**
      * Plays one step.
      *
-     * @param pacManMove direction asked for; if it is not open, NEUTRAL or null she goes straight on or stops. By MM-NEAT's
-     *     conventions null ends the game from the twelfth call on
-     * @param ghostMoves directions asked for, may be null or incomplete; holds the moves made afterwards
+     * @param pacManMove requested direction. If it is not open, NEUTRAL or null, she goes straight on or stops. By
+     *     MM-NEAT's conventions null ends the game from the twelfth call on
+     * @param ghostMoves requested directions; may be null or incomplete; afterwards it contains the moves made
      */
     public void advanceGame(MOVE pacManMove, EnumMap<GHOST, MOVE> ghostMoves) {
         if (endsByNull(pacManMove)) {
@@ -158,7 +164,7 @@ public final class Game {
     /**
      * Plays one step like {@link #advanceGame(MOVE, EnumMap)}, without a map.
      *
-     * @param ghostMoves directions asked for, packed as {@link GhostMoves} says
+     * @param ghostMoves requested directions, encoded as {@link GhostMoves}
      */
     public void advanceGame(MOVE pacManMove, int ghostMoves) {
         if (endsByNull(pacManMove)) {
@@ -205,7 +211,7 @@ public final class Game {
         updateGame();
     }
 
-    /** Ms. Pac-Man's part of a step: she moves and eats what lies there. */
+    /** Ms. Pac-Man's part of a step: she moves and eats a pill on her node. */
     public void updatePacMan(MOVE pacManMove) {
         GameStep.updatePacMan(state, GhostMoves.request(pacManMove));
     }
@@ -240,7 +246,7 @@ public final class Game {
         report(moves, GHOST.SUE, sue, moved, isComplete);
     }
 
-    /** Writes the move that a ghost made into the caller's map, or NEUTRAL where the caller said nothing about it. */
+    /** Writes the move that a ghost made into the caller's map, or NEUTRAL if the caller gave no move for it. */
     private void report(EnumMap<GHOST, MOVE> moves, GHOST ghost, MOVE requested, int moved, boolean isComplete) {
         if ((moved >>> ghost.ordinal() & 1) != 0) {
             MOVE made = getGhostLastMoveMade(ghost);
@@ -252,12 +258,15 @@ public final class Game {
         }
     }
 
-    /** What follows the moves of a step: who meets whom, lair times, clocks, the end of level and game. */
+    /**
+     * The part of a step after the moves: meetings of ghosts and Ms. Pac-Man, lair times, clocks, the end of level and
+     * game.
+     */
     public void updateGame() {
         updateGame(true, true, true, true, true);
     }
 
-    /** Parts of {@link #updateGame()}; the end of level and game is always looked at. */
+    /** Selected parts of {@link #updateGame()}. The end of level and game is always checked. */
     public void updateGame(
             boolean feast,
             boolean updateLairTimes,
@@ -305,7 +314,9 @@ public final class Game {
         return state.powerPillEaten;
     }
 
-    /** Total time before the step in which ghosts last reversed, after a power pill or at random; -1 if they never did. */
+    /**
+     * Total time before the step in which ghosts last reversed, after a power pill or at random; -1 if they never did.
+     */
     public int getTimeOfLastGlobalReversal() {
         return state.timeOfLastReversal;
     }
@@ -330,7 +341,7 @@ public final class Game {
         return state.totalTime;
     }
 
-    /** Level from 0, counting on over the mazes. */
+    /** Level from 0, counted across the mazes. */
     public int getCurrentLevel() {
         return state.level;
     }
@@ -360,7 +371,7 @@ public final class Game {
         return MOVES[pacManLastMove()];
     }
 
-    /** Lives, the current one included. */
+    /** Lives, including the current one. */
     public int getPacmanNumberOfLivesRemaining() {
         return state.lives;
     }
@@ -391,12 +402,14 @@ public final class Game {
         return state.ghosts[GameState.LAIR + ghost.ordinal()];
     }
 
-    /** Whether a ghost may choose: at a junction or just out of the lair, and moving in the next step. */
+    /**
+     * Whether a ghost may choose a direction: it is at a junction or just left the lair, and moves in the next step.
+     */
     public boolean doesGhostRequireAction(GHOST ghost) {
         return state.requiresAction(ghost.ordinal());
     }
 
-    /** Bit set of the ghosts of which {@link #doesGhostRequireAction} is true, BLINKY's bit the lowest. */
+    /** Bit set of the ghosts for which {@link #doesGhostRequireAction} is true; BLINKY has the lowest bit. */
     public int ghostsRequiringAction() {
         int ghosts = 0;
         for (int ghost = 0; ghost < GHOSTS.length; ghost++) {
@@ -407,7 +420,7 @@ public final class Game {
         return ghosts;
     }
 
-    /** Neither edible nor in the lair. */
+    /** Whether a ghost is a threat: neither edible nor in the lair. */
     public boolean isGhostThreat(int ghostIndex) {
         return state.isThreat(ghostIndex);
     }
@@ -480,7 +493,7 @@ public final class Game {
         for (int word = 0; word < state.pills.length; word++) {
             for (long bits = state.pills[word]; bits != 0; bits &= bits - 1) {
                 int pill = 64 * word + Long.numberOfTrailingZeros(bits);
-                // After the last level the maze is the next one already, while the pills are those of the last.
+                // After the last level the maze is already the next one, but the pills are those of the last.
                 if (pill < state.graph.pillCount()) {
                     nodes[count++] = state.graph.pillNode(pill);
                 }
@@ -523,14 +536,14 @@ public final class Game {
 
     // ---- Maze
 
-    /** The maze as entries see it; shared, do not modify. */
+    /** The maze in the competition's interface; shared, do not modify. */
     public Maze getCurrentMaze() {
         return Maze.of(state.tables);
     }
 
     /**
-     * Number of the maze that everybody is in. After the last level {@link #getMazeIndex} is that of the next maze already,
-     * in which the nodes of Ms. Pac-Man and the ghosts mean nothing.
+     * Index of the maze of Ms. Pac-Man and the ghosts. After the last level {@link #getMazeIndex} is already that of
+     * the next maze, in which their nodes are meaningless.
      */
     int shownMazeIndex() {
         return state.shownMazeIndex();
@@ -541,7 +554,7 @@ public final class Game {
         return Maze.of(state.rules.mazes().mazes().get(shownMazeIndex()));
     }
 
-    /** The maze as the engine sees it: graph, distances and paths on primitive arrays. */
+    /** The tables of the maze that the engine uses: graph, distances and paths in primitive arrays. */
     public MazeTables mazeTables() {
         return state.tables;
     }
@@ -590,7 +603,7 @@ public final class Game {
         return moves().moves(nodeIndex, MOVE.NEUTRAL);
     }
 
-    /** Open directions other than back; null if nothing comes to the node by that move. */
+    /** Open directions except back; null if the node cannot be entered by that move. */
     public MOVE[] getPossibleMoves(int nodeIndex, MOVE lastMoveMade) {
         return moves().moves(nodeIndex, lastMoveMade);
     }
@@ -600,7 +613,7 @@ public final class Game {
         return moves().neighbours(nodeIndex, MOVE.NEUTRAL);
     }
 
-    /** Neighbours other than the one behind; null if nothing comes to the node by that move. */
+    /** Neighbours except the one behind; null if the node cannot be entered by that move. */
     public int[] getNeighbouringNodes(int nodeIndex, MOVE lastMoveMade) {
         return moves().neighbours(nodeIndex, lastMoveMade);
     }
@@ -616,7 +629,7 @@ public final class Game {
                 : state.graph.neighbour(nodeIndex, moveToBeMade.ordinal());
     }
 
-    /** The direction from a node to one beside it; null if it is not beside it. */
+    /** The direction from a node to a neighbour; null if the nodes are not neighbours. */
     public MOVE getMoveToMakeToReachDirectNeighbour(int currentNodeIndex, int neighbourNodeIndex) {
         for (int direction = 0; direction < 4; direction++) {
             int next = state.graph.neighbour(currentNodeIndex, direction);
@@ -629,7 +642,7 @@ public final class Game {
 
     // ---- Distances and paths
 
-    /** Path distance where turning back is allowed; -1 to or from the lair. */
+    /** Path distance with turning back allowed; -1 to or from the lair. */
     public int getShortestPathDistance(int fromNodeIndex, int toNodeIndex) {
         return MoveQueries.pathDistance(state.tables, fromNodeIndex, toNodeIndex);
     }
@@ -652,7 +665,10 @@ public final class Game {
                 .directedPath(fromNodeIndex, toNodeIndex, lastMove(fromNodeIndex, toNodeIndex, lastMoveMade));
     }
 
-    /** Null is allowed where it forbids nothing: at a junction, in the lair, and on the way to where one is. */
+    /**
+     * Checks the last move. Null is allowed where no reverse has to be forbidden: at a junction, in the lair, and if
+     * both nodes are the same.
+     */
     private int lastMove(int from, int to, MOVE lastMoveMade) {
         if (lastMoveMade == null && from != to && state.graph.degree(from) == 2) {
             throw new NullPointerException("a path that must not turn back needs the last move made");
@@ -704,20 +720,23 @@ public final class Game {
         return MoveQueries.distance(state.tables, fromNodeIndex, toNodeIndex, distanceMeasure);
     }
 
-    /** Distance without turning back; only {@link DM#PATH} minds the last move. */
+    /** Distance without turning back; only {@link DM#PATH} uses the last move. */
     public double getDistance(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
         return distanceMeasure == DM.PATH
                 ? getShortestPathDistance(fromNodeIndex, toNodeIndex, lastMoveMade)
                 : getDistance(fromNodeIndex, toNodeIndex, distanceMeasure);
     }
 
-    /** The first nearest of some nodes; -1 if there are none. By MM-NEAT's conventions entries of -1 are skipped. */
+    /**
+     * Returns the nearest of some nodes, at a tie the first; -1 if there are no nodes. By MM-NEAT's conventions entries
+     * of -1 are skipped.
+     */
     public int getClosestNodeIndexFromNodeIndex(int fromNodeIndex, int[] targetNodeIndices, DM distanceMeasure) {
         return MoveQueries.closest(
                 state.tables, fromNodeIndex, targetNodeIndices, distanceMeasure, state.rules.conventions());
     }
 
-    /** The first farthest of some nodes; -1 if there are none. */
+    /** Returns the farthest of some nodes, at a tie the first; -1 if there are no nodes. */
     public int getFarthestNodeIndexFromNodeIndex(int fromNodeIndex, int[] targetNodeIndices, DM distanceMeasure) {
         return MoveQueries.farthest(state.tables, fromNodeIndex, targetNodeIndices, distanceMeasure);
     }
@@ -799,14 +818,14 @@ public final class Game {
     }
 
     /**
-     * Node of the nearest pill or power pill present, by path distance; of equally near ones pills before power pills, then
-     * by number. -1 if there is none.
+     * Node of the nearest pill or power pill present, by path distance; of equally near ones pills before power pills,
+     * then by number. -1 if there is none.
      */
     public int nearestPill(int node) {
         return state.tables.pillOrder().nearest(node, state.pills, state.pillsLeft, state.powerPills);
     }
 
-    // ---- Switches of MM-NEAT's tasks; GameSwitch says what they mean
+    // ---- Switches of MM-NEAT's tasks; GameSwitch describes them
 
     public void setExitLairEdible(boolean on) {
         state.set(GameSwitch.EXIT_LAIR_EDIBLE, on);
@@ -848,27 +867,27 @@ public final class Game {
         state.set(GameSwitch.END_AFTER_POWER_PILLS_EATEN, on);
     }
 
-    /** Takes the pills away at once when switched on. */
+    /** Removes the pills immediately when switched on. */
     public void setRemovePillsNearPowerPills(boolean on) {
         state.set(GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS, on);
     }
 
-    /** Takes all pills away, now and in later levels. */
+    /** Removes all pills, now and in later levels. */
     public void playWithoutPills() {
         state.set(GameSwitch.WITHOUT_PILLS, true);
     }
 
-    /** Takes all power pills away, now and in later levels. */
+    /** Removes all power pills, now and in later levels. */
     public void playWithoutPowerPills() {
         state.set(GameSwitch.WITHOUT_POWER_PILLS, true);
     }
 
-    /** Pills come back with the next level. */
+    /** Pills return with the next level. */
     public void playWithPills() {
         state.set(GameSwitch.WITHOUT_PILLS, false);
     }
 
-    /** Power pills come back with the next level. */
+    /** Power pills return with the next level. */
     public void playWithPowerPills() {
         state.set(GameSwitch.WITHOUT_POWER_PILLS, false);
     }
@@ -894,7 +913,7 @@ public final class Game {
         return state.ghostReward;
     }
 
-    /** Chances missed: edible ghosts at death, edible times that ran out, threats missing at a power pill. */
+    /** Missed chances: edible ghosts at death, edible times that ended, threats missing when a power pill was eaten. */
     public int getGhostRegret() {
         return state.ghostRegret;
     }
@@ -924,12 +943,12 @@ public final class Game {
         return state.powerPillsEatenWhenGhostFar;
     }
 
-    /** How near threats were when power pills were eaten, from -12800 upwards. */
+    /** Closeness of the threats when power pills were eaten, at least -12800. */
     public double getLureDistanceSum() {
         return state.lureDistance;
     }
 
-    /** Steps in which nothing was eaten from the floor. */
+    /** Steps in which no pill or power pill was eaten. */
     public long getTimeInDeadSpace() {
         return state.timeInDeadSpace;
     }
@@ -945,10 +964,10 @@ public final class Game {
     }
 
     /**
-     * Score gained in a level. Asking for the level that is not yet over closes its entry, so ask in ascending order.
+     * Score gained in a level. A call for the current level closes its entry, so call in ascending order.
      *
      * @throws IllegalStateException in a copy
-     * @throws IndexOutOfBoundsException for a level beyond
+     * @throws IndexOutOfBoundsException if the level was not reached
      */
     public double getScore(int level) {
         return history().levelScore(level, state.score);
@@ -957,7 +976,8 @@ public final class Game {
     /**
      * Mean number of ghosts eaten per power pill.
      *
-     * @param punishUneaten whether power pills of all levels that were never eaten count as 0, from now on
+     * @param punishUneaten whether power pills of all levels that were not eaten count as 0, in this and all later
+     *     calls
      * @throws IllegalStateException in a copy
      */
     public double averageGhostsEatenPerPowerPill(boolean punishUneaten) {
@@ -965,7 +985,8 @@ public final class Game {
     }
 
     /**
-     * Mean number of steps from a power pill until all ghosts are eaten, Integer.MAX_VALUE for power pills where they were not.
+     * Mean number of steps from a power pill until all ghosts are eaten; a power pill after which not all were eaten
+     * counts as Integer.MAX_VALUE.
      *
      * @throws IllegalStateException in a copy
      */
@@ -973,7 +994,7 @@ public final class Game {
         return history().meanTimeToEatAll(powerPillsInAllLevels());
     }
 
-    /** Without a last level there is no number of power pills to compare with. */
+    /** Number of power pills in all levels. It is undefined without a last level. */
     private int powerPillsInAllLevels() {
         int levels = state.rules.levels().maximumLevel();
         return levels == Integer.MAX_VALUE ? 0 : GhostLocations.POWER_PILLS * levels;

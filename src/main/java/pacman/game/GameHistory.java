@@ -3,7 +3,7 @@ package pacman.game;
 import java.util.Arrays;
 
 /**
- * What a game remembers of its course, for reports: lists that no rule depends on. Copies of a game have none.
+ * The history of a game for reports: lists on which no rule depends. Copies of a game have no history.
  *
  * <p>Source: docs/specification/simulator.md, sections 2.4, 2.5 and 8.
  */
@@ -44,7 +44,7 @@ final class GameHistory {
         levels++;
     }
 
-    /** Score gained in a level; asking for the first level without an entry closes it. */
+    /** Score gained in a level; a call for the first level without an entry closes that level's entry. */
     double levelScore(int level, int score) {
         if (level == levels) {
             closeLevel(score);
@@ -60,7 +60,7 @@ final class GameHistory {
     void ghostEaten(int activeGhosts, boolean isLast, int stepsSincePowerPill) {
         int last = ghostsPerPowerPill.size() - 1;
         if (last < 0) {
-            // A restored game does not know the power pill; the original throws here.
+            // A restored game has no record of the power pill; the original throws here.
             return;
         }
         ghostsPerPowerPill.set(last, ghostsPerPowerPill.get(last) + 1);
@@ -71,7 +71,10 @@ final class GameHistory {
         }
     }
 
-    /** Mean of the ghosts eaten per power pill; zeros for power pills never eaten are added for good when asked for. */
+    /**
+     * Mean number of ghosts eaten per power pill. With {@code withUneaten}, zeros for uneaten power pills are added
+     * permanently.
+     */
     double meanGhostsPerPowerPill(boolean withUneaten, int powerPills) {
         if (withUneaten) {
             pad(ghostsPerPowerPill, powerPills, 0);

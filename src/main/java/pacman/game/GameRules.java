@@ -8,19 +8,18 @@ import pacman.game.internal.Maze;
 import pacman.maze.MazeTables;
 
 /**
- * What differs from one kind of game to another. Immutable; its methods {@code with...} make
- * changed copies, as in {@code GameRules.competition().withLevels(levels -> levels.withLives(1))}.
+ * The rules of a game. Immutable; the methods {@code with...} return changed copies, as in {@code
+ * GameRules.competition().withLevels(levels -> levels.withLives(1))}.
  *
- * <p>Source: docs/specification/simulator.md, sections 2 and 7;
- * docs/specification/controllers.md, section 1.3.
+ * <p>Source: docs/specification/simulator.md, sections 2 and 7; docs/specification/controllers.md, section 1.3.
  *
- * @param conventions whose behaviour counts where the competition's and MM-NEAT's differ
- * @param copies which random numbers a copy of the game draws
+ * @param conventions which framework's behaviour is used where the competition and MM-NEAT differ
+ * @param copies the random numbers that a copy of the game draws
  * @param mazes the mazes and where the game starts
  * @param levels levels and lives
  * @param ghosts the ghosts and their times
  * @param pills the pills and what power pills cost
- * @param switches rules that are switched on for the game object at its start
+ * @param switches switches that are on at the start of a game
  */
 public record GameRules(
         Conventions conventions,
@@ -31,35 +30,37 @@ public record GameRules(
         PillRules pills,
         Set<GameSwitch> switches) {
 
-    /** Whose behaviour counts where the two frameworks differ; docs/specification/controllers.md, section 1.3. */
+    /** The framework whose behaviour is used where the two differ; docs/specification/controllers.md, section 1.3. */
     public enum Conventions {
         /**
-         * The competition's, release 6.2: a copy is the game's equal, a null move is an illegal move, the state string has
-         * 35 fields. What 6.2 draws from outside the game comes from the game's own generator instead.
+         * The competition, release 6.2: a copy equals the game, a null move is an illegal move, the state string has 35
+         * fields. Random numbers that release 6.2 draws from a global generator come from the game's own generator.
          */
         COMPETITION,
         /**
-         * MM-NEAT's: a copy forgets most switches and what was eaten, a null move from the twelfth step on ends the game, the
-         * state string has 56 fields.
+         * MM-NEAT: a copy loses most switches and the record of what was eaten, a null move from the twelfth step on
+         * ends the game, the state string has 56 fields.
          */
         MM_NEAT
     }
 
-    /** Which random numbers a copy of a game draws. */
+    /** The random numbers that a copy of a game draws. */
     public enum Copies {
         /**
-         * Those that the game itself will draw: a controller can look into the future in its copy. As in MM-NEAT, where the
-         * example ghosts depend on it.
+         * The same numbers that the game will draw, so a controller can see the future in its copy. This is the
+         * behaviour of MM-NEAT, on which the example ghosts depend.
          */
         CONTINUE_THE_GAME,
         /**
-         * Numbers of its own, which follow from the game's seed, its time and the number of the copy: each copy shows another
-         * possible future, none the real one, and the same seed still gives the same game.
+         * Separate numbers, which follow from the game's seed, its time and the number of the copy. Each copy shows
+         * another possible future and none shows the real one. The same seed still gives the same game.
          */
         ARE_INDEPENDENT
     }
 
-    /** @throws IllegalArgumentException if the parts do not go together */
+    /**
+     * @throws IllegalArgumentException if the parts are inconsistent
+     */
     public GameRules {
         if (conventions == null
                 || copies == null
@@ -102,7 +103,7 @@ public record GameRules(
         }
     }
 
-    /** The competition of 2012, release 6.2: three lives, levels of 4000 steps, no last level; copies foresee nothing. */
+    /** The competition of 2012, release 6.2: three lives, levels of 4000 steps, no last level, independent copies. */
     public static GameRules competition() {
         return mmneat().withConventions(Conventions.COMPETITION)
                 .withCopies(Copies.ARE_INDEPENDENT)
@@ -110,7 +111,7 @@ public record GameRules(
                         Constants.NUM_LIVES, true, Integer.MAX_VALUE, Constants.LEVEL_LIMIT, false, false));
     }
 
-    /** MM-NEAT's defaults: the blended game without a level time limit of consequence. */
+    /** MM-NEAT's defaults: the blended game with practically no level time limit. */
     public static GameRules mmneat() {
         return new GameRules(
                 Conventions.MM_NEAT,
@@ -150,8 +151,8 @@ public record GameRules(
     }
 
     /**
-     * Ms. Pac-Man vs Ghosts as MM-NEAT evaluates its champions for the competition of 2011: 16 levels of 3000 steps, half
-     * credit for what is left. Copies foresee nothing.
+     * The rules with which MM-NEAT evaluates its champions for the competition of 2011: 16 levels of 3000 steps, half
+     * credit for remaining pills, independent copies.
      */
     public static GameRules mpmVsGhosts() {
         return mmneat().withCopies(Copies.ARE_INDEPENDENT)
@@ -172,27 +173,27 @@ public record GameRules(
         return new GameRules(conventions, value, mazes, levels, ghosts, pills, switches);
     }
 
-    /** These with other mazes or another start. */
+    /** Returns these rules with other mazes or another start. */
     public GameRules withMazes(UnaryOperator<MazeRules> change) {
         return new GameRules(conventions, copies, change.apply(mazes), levels, ghosts, pills, switches);
     }
 
-    /** These with other levels or lives. */
+    /** Returns these rules with other levels or lives. */
     public GameRules withLevels(UnaryOperator<LevelRules> change) {
         return new GameRules(conventions, copies, mazes, change.apply(levels), ghosts, pills, switches);
     }
 
-    /** These with other rules for the ghosts. */
+    /** Returns these rules with other rules for the ghosts. */
     public GameRules withGhosts(UnaryOperator<GhostRules> change) {
         return new GameRules(conventions, copies, mazes, levels, change.apply(ghosts), pills, switches);
     }
 
-    /** These with other rules for the pills. */
+    /** Returns these rules with other rules for the pills. */
     public GameRules withPills(UnaryOperator<PillRules> change) {
         return new GameRules(conventions, copies, mazes, levels, ghosts, change.apply(pills), switches);
     }
 
-    /** These with exactly the given switches on. */
+    /** Returns these rules with exactly the given switches on. */
     public GameRules withSwitches(Set<GameSwitch> value) {
         return new GameRules(conventions, copies, mazes, levels, ghosts, pills, value);
     }

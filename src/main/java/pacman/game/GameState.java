@@ -22,8 +22,8 @@ import pacman.maze.MazePoses;
 import pacman.maze.MazeTables;
 
 /**
- * The state of a game, in fields and small arrays, and the resets that start a life or a level. {@link GameStep} changes it
- * from step to step.
+ * The state of a game, in fields and small arrays, and the resets that start a life or a level. {@link GameStep}
+ * updates it.
  *
  * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none. Source: docs/specification/simulator.md, sections 2.2, 2.8 and 5.
  */
@@ -33,9 +33,10 @@ final class GameState {
     static final int GHOSTS = Constants.NUM_GHOSTS;
 
     /*
-     * All ghosts are one array, so that a copy is one copy: entry kind + ghost, where kind is one of these.
+     * All values of ghosts are in one array, so that copying a state copies one array. The index is kind + ghost, where
+     * kind is one of these constants.
      */
-    /** Node and last move, as {@link MazePoses} numbers them. */
+    /** Node and last move, encoded as in {@link MazePoses}. */
     static final int POSE = 0;
 
     static final int EDIBLE = 4;
@@ -56,20 +57,23 @@ final class GameState {
 
     private static final GHOST[] GHOST_TYPES = GHOST.values();
 
-    /** Factor on edible and lair times by level modulo 6; the float constant makes products fall below round numbers. */
+    /**
+     * Factor on edible and lair times by level modulo 6. Because the constant is a float, some products are slightly
+     * below integers.
+     */
     private static final double[] TIME_FACTORS = IntStream.range(0, Constants.LEVEL_RESET_REDUCTION)
             .mapToDouble(level -> Math.pow(Constants.EDIBLE_TIME_REDUCTION, level))
             .toArray();
 
     final GameRules rules;
     final ResumableRandom random;
-    /** From which the seeds of copies follow: {@link CopySeeds}. */
+    /** The number from which {@link CopySeeds} derives the seeds of copies. */
     private long copySeed;
     /** Copies made so far of this object. */
     private int copies;
-    /** Generator of the run to which the game belongs; null if the game draws from its own alone. */
+    /** Generator of the run to which the game belongs; null if the game only draws from its own generator. */
     final ResumableRandom shared;
-    /** What happened so far; null in copies. */
+    /** The history of the game; null in copies. */
     final GameHistory history;
 
     MazeTables tables;
@@ -78,7 +82,7 @@ final class GameState {
     int mazeIndex;
     /** Level from 0. */
     int level;
-    /** Level that edible and lair times go by. */
+    /** Level that determines edible and lair times. */
     int timesLevel;
 
     int levelTime;
@@ -90,13 +94,13 @@ final class GameState {
     int timeOfLastReversal;
     int timeOfLastPowerPill;
     boolean gameOver;
-    /** Calls of advanceGame completed on this object. */
+    /** Number of completed calls of advanceGame on this object. */
     int calls;
 
     /** The switches that are on, as a set of {@link GameSwitch#bit}. */
     int switches;
 
-    /** Her node and last move, as {@link MazePoses} numbers them. */
+    /** Ms. Pac-Man's node and last move, encoded as in {@link MazePoses}. */
     int pacManPose;
 
     int lives;
@@ -106,8 +110,8 @@ final class GameState {
     final int[] ghosts;
 
     /**
-     * A lower bound of the path distance from Ms. Pac-Man to the nearest ghost outside the lair. Each move takes at most one
-     * off, so that most steps need not look at distances to know that no ghost is met.
+     * A lower bound of the path distance from Ms. Pac-Man to the nearest ghost outside the lair. Each move reduces it
+     * by at most one. So in most steps the bound shows that no ghost is met, without a look-up of distances.
      */
     int apart;
 
@@ -197,7 +201,7 @@ final class GameState {
         }
     }
 
-    /** A copy; which random numbers it draws, and which switches it keeps, the rules decide. */
+    /** Returns a copy. The rules determine its random numbers and the switches that it keeps. */
     GameState copy() {
         if (rules.copies() == Copies.CONTINUE_THE_GAME) {
             return snapshot();
@@ -206,12 +210,14 @@ final class GameState {
         return new GameState(this, new ResumableRandom(seed), null, seed);
     }
 
-    /** A copy that continues the generators and counts for no copy: to be looked at, not to be handed to a controller. */
+    /**
+     * Returns a copy that continues the generators and does not count as a copy. It is for views, not for controllers.
+     */
     GameState snapshot() {
         return new GameState(this, random.copy(), shared, copySeed);
     }
 
-    /** Sets a generator to where the next copy's would stand, and counts for that copy. */
+    /** Sets a generator to the state of the next copy's generator, and counts as that copy. */
     void continueAsCopy(ResumableRandom scratch) {
         if (rules.copies() == Copies.CONTINUE_THE_GAME) {
             scratch.continueAs(random);
@@ -224,7 +230,7 @@ final class GameState {
         return CopySeeds.of(copySeed, totalTime, ++copies);
     }
 
-    /** Begins the game anew with the random numbers of a seed. */
+    /** Starts the game again with the random numbers of a seed. */
     void restart(long seed) {
         random.setSeed(seed);
         copySeed = seed;
@@ -263,7 +269,7 @@ final class GameState {
                 ? rules.mazes().onlyMaze()
                 : rules.mazes().initialMaze();
         timesLevel = Math.max(0, rules.mazes().onlyMaze());
-        // Pills are set before the switches, as by the original's constructor.
+        // Pills are set before the switches, as in the original's constructor.
         switches = 0;
         enterMaze();
         LevelPills.fill(this);
@@ -286,14 +292,14 @@ final class GameState {
         on.forEach(each -> set(each, true));
     }
 
-    /** What {@link GameSwitch#LAIR_EXIT_DATABASE} cannot do without. */
+    /** Checks that the ghost locations needed by {@link GameSwitch#LAIR_EXIT_DATABASE} exist. */
     void requireGhostLocations() {
         if (rules.ghosts().ghostLocations() == null || rules.mazes().startingPowerPill() < 0) {
             throw new IllegalArgumentException("lairExitDatabase needs ghostLocations and a startingPowerPill");
         }
     }
 
-    /** Turns a switch on or off; those about pills take away at once what they forbid, and bring nothing back. */
+    /** Turns a switch on or off. Switching pills off removes them immediately; switching them on restores none. */
     void set(GameSwitch rule, boolean on) {
         switches = on ? switches | rule.bit : switches & ~rule.bit;
         if (!on) {
@@ -329,7 +335,7 @@ final class GameState {
         pillsLeft--;
     }
 
-    /** Everybody to the start, as at the beginning of a level and after a death. */
+    /** Moves Ms. Pac-Man and the ghosts to their start positions, as at the start of a level and after a death. */
     void resetPositions() {
         ghostMultiplier = 1;
         apart = 0;
@@ -346,7 +352,7 @@ final class GameState {
     /**
      * Starts the next level, or ends the game after the last.
      *
-     * @return whether everybody was put back to the start; not after the last level
+     * @return whether positions were reset; false after the last level
      */
     boolean newLevel() {
         if (history != null && isAnyEdible()) {
@@ -381,7 +387,10 @@ final class GameState {
         return true;
     }
 
-    /** Number of the maze that everybody is in: after the last level {@link #mazeIndex} is that of the next one. */
+    /**
+     * Index of the maze of Ms. Pac-Man and the ghosts. After the last level {@link #mazeIndex} is that of the next
+     * maze.
+     */
     int shownMazeIndex() {
         int levelsBeyond = level - (rules.levels().maximumLevel() - 1);
         return levelsBeyond <= 0 || rules.mazes().onlyMaze() >= 0
@@ -406,13 +415,16 @@ final class GameState {
         return (ghosts[LAIR] | ghosts[LAIR + 1] | ghosts[LAIR + 2] | ghosts[LAIR + 3]) != 0;
     }
 
-    /** Outside the lair, and not in a step in which edible ghosts rest. */
+    /** Whether a ghost moves: it is outside the lair, and this is not a step in which it rests because it is edible. */
     boolean mayMove(int ghost) {
         int edible = ghosts[EDIBLE + ghost];
         return ghosts[LAIR + ghost] == 0 && (edible == 0 || (edible & 1) != 0);
     }
 
-    /** At a junction or just out of the lair, and not in a step in which edible ghosts rest. */
+    /**
+     * Whether a ghost may choose a direction: it is at a junction or just left the lair, and does not rest in this
+     * step.
+     */
     boolean requiresAction(int ghost) {
         int edible = ghosts[EDIBLE + ghost];
         return poses.isChoice(ghosts[POSE + ghost]) && (edible == 0 || (edible & 1) != 0);
@@ -438,12 +450,12 @@ final class GameState {
         return MazePoses.move(ghosts[POSE + ghost]);
     }
 
-    /** Not edible and not in the lair. */
+    /** Whether a ghost is a threat: neither edible nor in the lair. */
     boolean isThreat(int ghost) {
         return ghosts[EDIBLE + ghost] == 0 && graph.degree(ghostNode(ghost)) > 0;
     }
 
-    /** The generator of what the original draws outside the game. */
+    /** The generator for random numbers that the original does not draw from the game's generator. */
     ResumableRandom drawsOfTheRun() {
         return shared == null ? random : shared;
     }

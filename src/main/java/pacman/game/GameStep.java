@@ -11,20 +11,20 @@ import pacman.maze.MazeGraph;
 import pacman.maze.MazePoses;
 
 /**
- * The rules of one game step, in the order in which {@link Game#advanceGame} applies them. Nothing here allocates, except when
- * a lair exit starts a level.
+ * The rules of one game step, in the order in which {@link Game#advanceGame} applies them. A step allocates nothing,
+ * except when a lair exit starts a level.
  *
  * <p>Source: docs/specification/simulator.md, sections 2.3 to 2.7.
  */
 final class GameStep {
 
-    /** How ghosts may reverse in a step. */
+    /** The rule for reversals of ghosts in a step. */
     enum Reversal {
         /** At random and after a power pill. */
         NORMAL,
-        /** Not at all. */
+        /** Never. */
         NEVER,
-        /** In any case. */
+        /** Always. */
         FORCED
     }
 
@@ -36,7 +36,7 @@ final class GameStep {
 
     private GameStep() {}
 
-    /** Steps 1 to 4: Ms. Pac-Man moves and eats what lies there. */
+    /** Steps 1 to 4: Ms. Pac-Man moves and eats a pill on her node. */
     static void updatePacMan(GameState state, int request) {
         state.apart--;
         int pose = state.pacManPose;
@@ -62,7 +62,7 @@ final class GameStep {
         }
     }
 
-    /** The first of two poses, or the second if there is no first: a choice without a branch. */
+    /** Returns the first of two poses, or the second if there is no first, without a branch. */
     private static int either(int first, int second) {
         int missing = first >> 31;
         return first & ~missing | second & missing;
@@ -133,7 +133,7 @@ final class GameStep {
     /**
      * Steps 6 and 7: ghosts reverse, or move.
      *
-     * @param requests moves asked for, as {@link GhostMoves}
+     * @param requests requested moves, encoded as {@link GhostMoves}
      * @return bit set of the ghosts that moved in step 7
      */
     static int updateGhosts(GameState state, int requests, Reversal reversal) {
@@ -167,8 +167,8 @@ final class GameStep {
     }
 
     /*
-     * Most ghosts in most steps are in a corridor and asked for nothing. These go first, in a loop without calls that the
-     * compiler unrolls; they draw nothing, so that the draws of the others keep their order.
+     * In most steps most ghosts are in a corridor and have no choice. They move first, in a loop without calls that the
+     * compiler unrolls. They draw no random numbers, so the order of the other ghosts' draws does not change.
      */
     private static int moveGhosts(GameState state, int requests) {
         int[] ghosts = state.ghosts;
@@ -194,7 +194,7 @@ final class GameStep {
         return moved;
     }
 
-    /** As asked if that is possible without turning back, else straight on, else at random. */
+    /** Moves a ghost as requested if that is possible without turning back, else straight on, else at random. */
     private static int moveGhost(GameState state, int pose, int request) {
         int last = MazePoses.move(pose);
         int back = last == NO_MOVE ? NO_MOVE : MazeGraph.opposite(last);
@@ -210,7 +210,7 @@ final class GameStep {
         return state.poses.onward(MazePoses.turned(pose, drawMove(state, open)));
     }
 
-    /** One of several directions at random. The draw is made even if there is only one. */
+    /** Draws one of several directions. A number is drawn even if there is only one direction. */
     private static int drawMove(GameState state, int directions) {
         int left = directions;
         for (int draw = state.random.nextInt(Integer.bitCount(directions)); draw > 0; draw--) {
@@ -219,7 +219,7 @@ final class GameStep {
         return Integer.numberOfTrailingZeros(left);
     }
 
-    /** Step 8: who meets whom, and edible times run. */
+    /** Step 8: Ms. Pac-Man meets ghosts, and edible times decrease. */
     static void feast(GameState state) {
         state.pacManEaten = false;
         state.ghostsEaten = 0;
@@ -267,7 +267,10 @@ final class GameStep {
         return state.tables.distances().between(state.ghostNode(ghost), state.pacManNode());
     }
 
-    /** Looks at positions alone, since the large table of distances is seldom in the cache. */
+    /**
+     * Returns a lower bound of the distance from coordinates only, because the large table of distances is rarely in
+     * the cache.
+     */
     private static int leastDistanceToGhost(GameState state, int ghost) {
         return state.graph.leastDistance(state.ghostNode(ghost), state.pacManNode());
     }
@@ -312,8 +315,8 @@ final class GameStep {
             return;
         }
         state.ghostRegret++;
-        // The original draws even at rate 0, from the generator that the evolution uses. Without that generator the
-        // draw has no effect.
+        // The original draws even at rate 0, from the generator of the evolution. Without that generator the draw has
+        // no effect.
         double rate = state.rules.pills().powerPillPunishmentRate();
         if ((state.shared != null || rate > 0) && state.drawsOfTheRun().nextDouble() < rate) {
             state.gameOver = true;
@@ -323,7 +326,7 @@ final class GameStep {
         }
     }
 
-    /** Step 9: lair times run, and ghosts leave the lair. */
+    /** Step 9: lair times decrease, and ghosts leave the lair. */
     static void updateLairTimes(GameState state) {
         if (!state.isAnyInLair()) {
             return;
@@ -344,7 +347,7 @@ final class GameStep {
         return ghosts[LAIR] == 1 || ghosts[LAIR + 1] == 1 || ghosts[LAIR + 2] == 1 || ghosts[LAIR + 3] == 1;
     }
 
-    /** A step in which a ghost may leave the lair. */
+    /** The part of a step in which ghosts leave the lair. */
     private static void leaveLair(GameState state) {
         int[] ghosts = state.ghosts;
         boolean exit = false;
@@ -380,12 +383,12 @@ final class GameStep {
     }
 
     /**
-     * A ghost leaves the lair, or its leaving starts a level.
+     * Lets a ghost leave the lair, or starts the next level instead.
      *
-     * <p>Quirk of the original: when a level starts here, the loop over the ghosts goes on over the old ones, whose exits draw
-     * random numbers but lead nowhere.
+     * <p>Quirk of the original: when a level starts here, the loop continues over the ghosts of the old level. Their
+     * exits draw random numbers but have no effect.
      *
-     * @return the ghosts over which the loop goes on
+     * @return the ghosts over which the loop continues
      */
     private static int[] leaveLair(GameState state, int[] ghosts, int ghost) {
         if (state.levelTime > 0 && state.has(GameSwitch.ONLY_ONE_LAIR_EXIT)) {
@@ -414,7 +417,7 @@ final class GameStep {
         return state.graph.ghostStart();
     }
 
-    /** Step 10: one more life, once per game. */
+    /** Step 10: an extra life, once per game. */
     static void updateExtraLife(GameState state) {
         if (state.rules.levels().extraLife() && !state.extraLifeReceived && state.score >= Constants.EXTRA_LIFE_SCORE) {
             state.extraLifeReceived = true;
@@ -422,7 +425,7 @@ final class GameStep {
         }
     }
 
-    /** Step 12: the end of the game by its clock, and of the level. */
+    /** Step 12: the end of the game by its time limit, and the end of the level. */
     static void endLevelOrGame(GameState state) {
         if (state.totalTime + 1 > Constants.MAX_TIME) {
             state.gameOver = true;

@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Rules that can be switched on for one game object at a time, as the tasks of MM-NEAT do.
+ * Optional rules that MM-NEAT's tasks switch on for a game.
  *
  * <p>Source: docs/specification/simulator.md, section 7.
  */
@@ -16,7 +16,7 @@ public enum GameSwitch {
     END_ONLY_ON_TIME_LIMIT,
     /** Ghosts leave the lair at a random junction. */
     RANDOM_LAIR_EXIT,
-    /** Ghosts leave the lair where a recording says ({@link GhostRules#ghostLocations}). */
+    /** Ghosts leave the lair at recorded locations ({@link GhostRules#ghostLocations}). */
     LAIR_EXIT_DATABASE,
     /** When one ghost leaves the lair, all do. */
     SIMULTANEOUS_LAIR_EXIT,

@@ -29,28 +29,28 @@ import pacman.game.internal.Maze;
 import pacman.game.internal.Node;
 
 /**
- * The picture of a game: maze, pills, Ms. Pac-Man, ghosts, and what controllers draw for debugging.
+ * The view of a game: maze, pills, Ms. Pac-Man, ghosts, and debug drawings of controllers.
  *
- * <p>Part of the competition's programming interface, which makes the debug drawing static: controllers in any thread add
- * squares and lines, each shown for one painting. Without a view they are dropped, and never are more than {@value
- * #DEBUG_LIMIT} of a kind kept. On a machine without a display a view exists, but shows nothing.
+ * <p>Part of the competition's programming interface, in which debug drawing is static: controllers in any thread add
+ * squares and lines, each shown in one painting. Without a view they are dropped; at most {@value #DEBUG_LIMIT} of each
+ * kind are kept. On a machine without a display a view exists but shows nothing.
  *
  * <p>Source: docs/specification/controllers.md, section 7.
  */
 public final class GameView extends JComponent {
 
-    /** Squares to be drawn in the next painting; public in the competition's interface. */
+    /** Squares to draw in the next painting; public in the competition's interface. */
     public static Vector<DebugPointer> debugPointers = new Vector<>();
 
-    /** Lines to be drawn in the next painting; public in the competition's interface. */
+    /** Lines to draw in the next painting; public in the competition's interface. */
     public static Vector<DebugLine> debugLines = new Vector<>();
 
-    /** The most squares, and the most lines, that are kept for the next painting. */
+    /** Maximum number of squares, and of lines, kept for the next painting. */
     private static final int DEBUG_LIMIT = 20_000;
 
     private static final AtomicReference<String> IMAGE_TO_SAVE = new AtomicReference<>();
 
-    /** The views that are still referenced: without any, debug drawing is dropped. */
+    /** The views that are still referenced. If there are none, debug drawing is dropped. */
     private static final Map<GameView, Boolean> VIEWS = Collections.synchronizedMap(new WeakHashMap<>());
 
     private static final int PICTURE_WIDTH = Constants.GV_WIDTH * Constants.MAG;
@@ -60,21 +60,25 @@ public final class GameView extends JComponent {
 
     private static final int SHOW_DELAY_MILLISECONDS = 2000;
 
-    /** A window opens at the largest multiple of the picture's size that is not higher than this share of the screen. */
+    /**
+     * A window opens at the largest multiple of the picture's size that is not higher than this share of the screen.
+     */
     private static final double LARGEST_SHARE_OF_SCREEN = 0.85;
 
     private final Game game;
     private final Images images = new Images();
     private final transient Map<Maze, BufferedImage> mazePictures = new ConcurrentHashMap<>();
 
-    /** The state that the event thread paints, since the game itself goes on in another thread. */
+    /** The state that the event thread paints. The game itself continues in another thread. */
     private transient volatile Game painted;
 
     private volatile String announcement = "";
     private MOVE facing;
     private GameFrame frame;
 
-    /** @param game the game to show, as it goes on */
+    /**
+     * @param game the game to show while it is played
+     */
     public GameView(Game game) {
         this.game = game;
         painted = game.snapshot();
@@ -94,7 +98,7 @@ public final class GameView extends JComponent {
         }
     }
 
-    /** Draws a line from each node of {@code from} to the node at the same place in {@code to}. */
+    /** Draws a line from each node of {@code from} to the node at the same index in {@code to}. */
     public static synchronized void addLines(Game game, Color colour, int[] from, int[] to) {
         for (int i = 0; i < from.length; i++) {
             addLines(game, colour, from[i], to[i]);
@@ -135,7 +139,7 @@ public final class GameView extends JComponent {
 
     // ------------------------------------------------------------------------------------------- painting
 
-    /** Repaints soon. Called by the thread that plays the game: what it sees now is what will be painted. */
+    /** Requests a repaint of the current state. The thread that plays the game must call it. */
     @Override
     public void repaint() {
         if (game != null && !SwingUtilities.isEventDispatchThread()) {
@@ -158,8 +162,8 @@ public final class GameView extends JComponent {
     }
 
     /**
-     * Draws the picture as large as the component allows, in the middle. In whole multiples of its size, pixels are square and
-     * sharp; between them, the next larger multiple is scaled down.
+     * Draws the picture centred and as large as the component allows. At whole multiples of its size, pixels are square
+     * and sharp; otherwise the next larger multiple is scaled down.
      */
     private void drawScaled(BufferedImage image, Graphics screen) {
         double scale = Math.min((double) getWidth() / PICTURE_WIDTH, (double) getHeight() / PICTURE_HEIGHT);
@@ -195,7 +199,10 @@ public final class GameView extends JComponent {
         }
     }
 
-    /** Paints in the order of docs/specification/controllers.md, section 7.2; the offsets are those of its table, except for the text. */
+    /**
+     * Paints in the order of docs/specification/controllers.md, section 7.2; the offsets are those of its table, except
+     * for the text.
+     */
     private void paintState(Graphics graphics, Game state) {
         graphics.setColor(Color.BLACK);
         graphics.fillRect(0, 0, PICTURE_WIDTH, PICTURE_HEIGHT);
@@ -276,7 +283,7 @@ public final class GameView extends JComponent {
         }
     }
 
-    /** Says in the middle of the picture what the spectator has to do; an empty text takes the words away. */
+    /** Shows a text in the middle of the picture, such as what the spectator has to do; an empty text removes it. */
     public void announce(String text) {
         announcement = text;
         repaint();
@@ -305,10 +312,7 @@ public final class GameView extends JComponent {
         return new Dimension(PICTURE_WIDTH, PICTURE_HEIGHT);
     }
 
-    /**
-     * Opens a window, waits two seconds for the spectator to look, and returns this view. Without a display it returns
-     * at once.
-     */
+    /** Opens a window, waits two seconds, and returns this view. Without a display it returns immediately. */
     public GameView showGame() {
         if (!GraphicsEnvironment.isHeadless()) {
             frame = new GameFrame(this);
@@ -326,7 +330,7 @@ public final class GameView extends JComponent {
         return frame;
     }
 
-    /** A window that holds a view, of any size. Closing it ends the program. */
+    /** A resizable window with a view. Closing it ends the program. */
     public class GameFrame extends JFrame {
 
         public GameFrame(JComponent view) {
@@ -343,7 +347,7 @@ public final class GameView extends JComponent {
         }
     }
 
-    /** The pictures of the actors and mazes. Ours are drawn by the program; no files are read. */
+    /** The pictures of the actors and mazes. The program draws them; no files are read. */
     public class Images {
 
         private final Sprites sprites = new Sprites();
@@ -355,7 +359,7 @@ public final class GameView extends JComponent {
             return sprites.pacMan(move, time);
         }
 
-        /** Ms. Pac-Man as the sign of a life. */
+        /** The symbol of a life. */
         public BufferedImage getPacManForExtraLives() {
             return sprites.pacMan(MOVE.RIGHT, 0);
         }
@@ -376,9 +380,9 @@ public final class GameView extends JComponent {
         }
     }
 
-    /** A square to be drawn, in maze pixels. */
+    /** A debug square, in maze pixels. */
     private record DebugPointer(int x, int y, Color colour) {}
 
-    /** A line to be drawn, in maze pixels. */
+    /** A debug line, in maze pixels. */
     private record DebugLine(int x1, int y1, int x2, int y2, Color colour) {}
 }

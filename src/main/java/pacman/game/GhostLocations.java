@@ -11,23 +11,27 @@ import java.util.Arrays;
 import pacman.maze.Mazes;
 
 /**
- * Recorded places of the four ghosts at moments when a power pill was eaten: where they appear in the ghost-eating game of
+ * Recorded locations of the four ghosts when a power pill was eaten. Ghosts start there in the ghost-eating games of
  * the isolated task. Immutable.
  *
- * <p>The text has one observation per line, six whitespace-separated integers: maze, power pill, and the nodes of Blinky, Pinky,
- * Inky and Sue. The first {@value #SITUATIONS} lines of each maze and power pill count. Every line is checked.
+ * <p>The text has one observation per line, six whitespace-separated integers: maze, power pill, and the nodes of
+ * Blinky, Pinky, Inky and Sue. The first {@value #SITUATIONS} lines of each maze and power pill are used. Every line is
+ * checked.
  *
  * <p>Source: docs/specification/simulator.md, section 7 (database file).
  */
 public final class GhostLocations {
 
-    /** Situations kept per maze and power pill. */
+    /** Number of observations used per maze and power pill. */
     public static final int SITUATIONS = 100;
 
     /** Power pills of each of the four mazes. */
     static final int POWER_PILLS = 4;
 
-    /** Our own recording, of games of a champion that this program evolved; docs/champions.md tells how it was made. */
+    /**
+     * The shipped recording, from games of a champion that this program evolved; docs/champions.md describes how it was
+     * made.
+     */
     private static final String SHIPPED = "ghost-locations.txt";
 
     /** Nodes, index ((maze 4 + power pill) 100 + observation) 4 + ghost. */
@@ -37,7 +41,7 @@ public final class GhostLocations {
         this.nodes = nodes;
     }
 
-    /** The recording that comes with the program. */
+    /** Returns the shipped recording. */
     public static GhostLocations shipped() {
         try {
             return read(SHIPPED, new StringReader(shippedText()));
@@ -46,7 +50,7 @@ public final class GhostLocations {
         }
     }
 
-    /** The text of the recording that comes with the program. */
+    /** Returns the text of the shipped recording. */
     public static String shippedText() {
         try (InputStream text = GhostLocations.class.getResourceAsStream(SHIPPED)) {
             return new String(text.readAllBytes(), StandardCharsets.UTF_8);
@@ -59,8 +63,8 @@ public final class GhostLocations {
      * Reads a recording.
      *
      * @param source name for error messages
-     * @throws IllegalArgumentException if a line is not understood, names a node that no ghost can stand on, or if a power
-     *     pill has too few situations
+     * @throws IllegalArgumentException if a line is invalid, names a node where no ghost can be, or if a power pill has
+     *     too few observations
      */
     public static GhostLocations read(String source, Reader text) throws IOException {
         short[] nodes = new short[Constants.NUM_MAZES * POWER_PILLS * SITUATIONS * Constants.NUM_GHOSTS];
@@ -125,12 +129,12 @@ public final class GhostLocations {
         counts[key]++;
     }
 
-    /** Node of a ghost in one of the {@value #SITUATIONS} situations of a maze and a power pill. */
+    /** Node of a ghost in one of the {@value #SITUATIONS} observations of a maze and a power pill. */
     int node(int maze, int powerPill, int observation, int ghost) {
         return nodes[((maze * POWER_PILLS + powerPill) * SITUATIONS + observation) * Constants.NUM_GHOSTS + ghost];
     }
 
-    /** Whether the same situations were recorded. */
+    /** Whether the recordings have the same observations. */
     @Override
     public boolean equals(Object other) {
         return other instanceof GhostLocations locations && Arrays.equals(nodes, locations.nodes);

@@ -4,8 +4,9 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 
 /**
- * Moves of the four ghosts in one {@code int}: what a ghost team may answer with instead of the competition's map, so that a
- * step neither fills nor reads one. {@link MOVE#NEUTRAL} stands for a ghost that is asked for nothing.
+ * An encoding of the moves of the four ghosts in one {@code int}. A ghost team may return it instead of the
+ * competition's map, which takes time to fill and read. {@link MOVE#NEUTRAL} means that no move is requested for a
+ * ghost.
  *
  * <p>{@value #BITS} bits per ghost hold the ordinal of its move, BLINKY's the lowest.
  */
@@ -14,20 +15,20 @@ public final class GhostMoves {
     static final int BITS = 3;
     static final int MASK = 7;
 
-    /** No ghost is asked for anything. */
+    /** No move is requested for any ghost. */
     public static final int NONE = packed(null, null, null, null);
 
     private static final MOVE[] MOVES = MOVE.values();
 
     private GhostMoves() {}
 
-    /** The moves with that of one ghost replaced; null is the same as NEUTRAL. */
+    /** Returns the moves with that of one ghost replaced; null is the same as NEUTRAL. */
     public static int with(int moves, GHOST ghost, MOVE move) {
         int shift = BITS * ghost.ordinal();
         return moves & ~(MASK << shift) | request(move) << shift;
     }
 
-    /** The move of a ghost. */
+    /** Returns the move of a ghost. */
     public static MOVE get(int moves, GHOST ghost) {
         return MOVES[of(moves, ghost.ordinal())];
     }

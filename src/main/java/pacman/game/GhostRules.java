@@ -1,7 +1,8 @@
 package pacman.game;
 
 /**
- * The ghosts of a game: their number, their times and where they leave the lair. Immutable. Times are in game steps.
+ * The rules for the ghosts of a game: their number, their times and where they leave the lair. Immutable. Times are in
+ * game steps.
  *
  * <p>Source: docs/specification/simulator.md, sections 2 and 7.
  *
@@ -11,8 +12,8 @@ package pacman.game;
  * @param lairTime steps for which an eaten ghost stays in the lair in the first level, at least 2
  * @param imprisonedWhileEdible whether no ghost leaves the lair while another is edible
  * @param randomGhostReversals whether ghosts reverse at random
- * @param ghostLocations where ghosts leave the lair under {@link GameSwitch#LAIR_EXIT_DATABASE}, in the mazes of the
- *     competition only; otherwise may be null
+ * @param ghostLocations where ghosts leave the lair under {@link GameSwitch#LAIR_EXIT_DATABASE}, only in the mazes of
+ *     the competition; may be null without that switch
  */
 public record GhostRules(
         int activeGhosts,
@@ -31,8 +32,8 @@ public record GhostRules(
     public GhostRules {
         GameRules.requireRange("activeGhosts", activeGhosts, 0, Constants.NUM_GHOSTS);
         GameRules.requireRange("edibleTime", edibleTime, 0, Integer.MAX_VALUE);
-        // Shortened from level to level it must stay 1 at least: a ghost without lair time moves, which it cannot in
-        // the lair.
+        // The lair time decreases from level to level and must stay at least 1: a ghost without lair time moves, which
+        // is impossible in the lair.
         GameRules.requireRange("lairTime", lairTime, 2, Integer.MAX_VALUE);
     }
 

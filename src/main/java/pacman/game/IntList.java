@@ -42,7 +42,7 @@ final class IntList {
         return mean;
     }
 
-    /** A copy of what the list holds now. */
+    /** Returns a copy of the list. */
     List<Integer> toList() {
         int[] copy = Arrays.copyOf(values, size);
         return new AbstractList<>() {

@@ -7,12 +7,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import mmneat.random.ResumableRandom;
 
-/** Puts the pills and power pills of a level in their places. Source: docs/specification/simulator.md, sections 2.2 and 7. */
+/** Places the pills and power pills of a level. Source: docs/specification/simulator.md, sections 2.2 and 7. */
 final class LevelPills {
 
     private LevelPills() {}
 
-    /** All pills of the maze, but for those that the rules leave out. */
+    /** Places all pills of the maze except those that the rules leave out. */
     static void fill(GameState state) {
         int count = state.graph.pillCount();
         int words = state.graph.pillWords();
@@ -32,7 +32,7 @@ final class LevelPills {
         }
     }
 
-    /** The first pills of a shuffled list are missing. */
+    /** Removes the first pills of a shuffled list. */
     private static void removePreEaten(GameState state, int count) {
         List<Integer> numbers = IntStream.range(0, count).boxed().collect(Collectors.toList());
         ResumableRandom source = state.drawsOfTheRun();
@@ -44,13 +44,13 @@ final class LevelPills {
         }
     }
 
-    /** All power pills of the maze, or none. */
+    /** Places all power pills of the maze, or none. */
     static void fillPowerPills(GameState state) {
         int count = state.graph.powerPillCount();
         state.powerPills = state.has(GameSwitch.WITHOUT_POWER_PILLS) || count == 0 ? 0 : -1L >>> (64 - count);
     }
 
-    /** Takes away the pills that the graph counts as near a power pill. */
+    /** Removes the pills near a power pill, as defined by the maze graph. */
     static void removeNearPowerPills(GameState state) {
         int left = 0;
         for (int word = 0; word < state.pills.length; word++) {

@@ -1,7 +1,7 @@
 package pacman.game;
 
 /**
- * The levels and lives of a game. Immutable. Times are in game steps.
+ * The rules for the levels and lives of a game. Immutable. Times are in game steps.
  *
  * <p>Source: docs/specification/simulator.md, sections 2 and 7.
  *
@@ -9,9 +9,8 @@ package pacman.game;
  * @param extraLife whether 10000 points give a life, once per game
  * @param maximumLevel number of levels after which the game is over
  * @param levelTimeLimit steps in a level
- * @param fatalTimeLimit whether reaching the limit is left to the controller, which ends the game; otherwise the next level
- *     starts
- * @param creditForRemainingPills whether half the points of what is left are given at the end of a level
+ * @param fatalTimeLimit whether the controller ends the game at the limit; otherwise the next level starts
+ * @param creditForRemainingPills whether half the points of the remaining pills are given at the end of a level
  */
 public record LevelRules(
         int lives,
@@ -21,7 +20,7 @@ public record LevelRules(
         boolean fatalTimeLimit,
         boolean creditForRemainingPills) {
 
-    /** MM-NEAT's defaults: one life and four levels without a time limit of consequence. */
+    /** MM-NEAT's defaults: one life and four levels with practically no time limit. */
     static final LevelRules MM_NEAT = new LevelRules(1, false, 4, 1000000, true, false);
 
     /** @throws IllegalArgumentException if a value is out of its range */

@@ -3,10 +3,13 @@ package pacman.game;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 
-/** Whether Java can write text into pictures here: slim containers often have no fonts, or lack the libraries for them. */
+/**
+ * The check whether Java can draw text on this machine. Slim containers often have no fonts or lack the libraries for
+ * them.
+ */
 public final class MachineFonts {
 
-    /** For messages: why a picture, or its text, is missing, and what helps. */
+    /** The part of a message that says why a picture or its text is missing, and what helps. */
     public static final String MISSING =
             "no fonts on this machine; install fontconfig and a font, such as Debian's fonts-dejavu-core";
 
@@ -14,7 +17,7 @@ public final class MachineFonts {
 
     private MachineFonts() {}
 
-    /** Whether text can be drawn into a picture. The machine is asked once. */
+    /** Whether text can be drawn into a picture. The result is computed once. */
     public static boolean areAvailable() {
         return AVAILABLE;
     }

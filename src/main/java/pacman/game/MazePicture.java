@@ -13,13 +13,16 @@ import pacman.game.Constants.MOVE;
 import pacman.game.internal.Maze;
 import pacman.game.internal.Node;
 
-/** Draws the walls of a maze from its graph: the corridors are cut out of the outline of a broader brush. */
+/** Draws the walls of a maze from its graph: the corridors are cut out of a wider outline around them. */
 final class MazePicture {
 
     static final int WIDTH = 224;
     static final int HEIGHT = 248;
 
-    /** A node's centre in the picture is this far right of and below its coordinates times {@link Constants#MAG}. */
+    /**
+     * Offset of a node's centre in the picture, to the right and down, from its coordinates times {@link
+     * Constants#MAG}.
+     */
     private static final int OFFSET = 4;
 
     private static final float CORRIDOR_WIDTH = 13;
@@ -56,7 +59,7 @@ final class MazePicture {
         return new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }
 
-    /** One line per pair of neighbours; tunnels run out of the picture. */
+    /** Returns one line per pair of neighbours. Tunnels continue beyond the border of the picture. */
     private static Path2D corridors(Maze maze) {
         Path2D lines = new Path2D.Double();
         for (Node node : maze.graph) {

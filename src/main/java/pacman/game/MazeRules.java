@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import pacman.maze.Mazes;
 
 /**
- * The mazes of a game and where it starts. Immutable.
+ * The rules for the mazes of a game and its start. Immutable.
  *
  * <p>Source: docs/specification/simulator.md, sections 2 and 7.
  *

@@ -7,9 +7,10 @@ import pacman.maze.MazeGraph;
 import pacman.maze.MazeTables;
 
 /**
- * Questions about distances, moves and nearest nodes of a maze.
+ * Queries of distances, moves and nearest nodes in a maze.
  *
- * <p>Move queries compare the neighbours of a node in the order up, right, down, left; the first strictly better one wins.
+ * <p>Move queries compare the neighbours of a node in the order up, right, down, left; at a tie the first neighbour is
+ * chosen.
  *
  * <p>Source: docs/specification/simulator.md, sections 4.1 and 4.2.
  */
@@ -30,7 +31,7 @@ final class MoveQueries {
         return tables.distances().between(from, to);
     }
 
-    /** Tables of pairs would answer for some wrong nodes too. */
+    /** Checks a node, because the tables of pairs also have entries for some invalid nodes. */
     static void requireNode(MazeTables tables, int node) {
         if (node < 0 || node >= tables.graph().nodeCount()) {
             throw new ArrayIndexOutOfBoundsException(node);
@@ -58,7 +59,7 @@ final class MoveQueries {
         }
     }
 
-    /** Distance for something that must not turn back; only path distance minds. */
+    /** Distance without turning back; this only affects path distance. */
     static double distance(MazeTables tables, int from, int to, int lastMove, DM metric) {
         return metric == DM.PATH ? directedLength(tables, from, to, lastMove) : distance(tables, from, to, metric);
     }
@@ -73,7 +74,7 @@ final class MoveQueries {
         return nextMove(tables, from, to, GameState.NO_MOVE, metric, towards);
     }
 
-    /** By plain distances from the neighbours that do not turn back. */
+    /** Compares plain distances from the neighbours, except the one behind. */
     static MOVE nextMove(MazeTables tables, int from, int to, int lastMove, DM metric, boolean towards) {
         MazeGraph graph = tables.graph();
         int back = back(graph, from, lastMove);
@@ -93,12 +94,12 @@ final class MoveQueries {
         return best;
     }
 
-    /** By distances from the neighbours that do not turn back, for something that must not turn back later either. */
+    /** Compares distances from the neighbours, except the one behind, along paths that never turn back. */
     static MOVE nextMoveDirected(
             MazeTables tables, int from, int to, int lastMove, DM metric, boolean towards, Conventions conventions) {
         MazeGraph graph = tables.graph();
         int back = back(graph, from, lastMove);
-        // Quirk of MM-NEAT: "towards" goes on from the move just made, "away" from the caller's last move.
+        // Quirk of MM-NEAT: "towards" continues from the new move, "away" from the caller's last move.
         boolean followsMove = towards && conventions == Conventions.MM_NEAT;
         MOVE best = null;
         double bestDistance = 0;

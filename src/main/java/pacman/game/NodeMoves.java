@@ -6,8 +6,8 @@ import pacman.maze.MazeGraph;
 import pacman.maze.MazeTables;
 
 /**
- * Directions and neighbours of each node as arrays of their own, for entries that ask for them at every step. They are
- * shared by all games: do not modify them.
+ * Arrays of the directions and neighbours of each node, for entries that use them in every step. All games share them:
+ * do not modify them.
  *
  * <p>Source: docs/specification/simulator.md, section 1.4.
  */
@@ -15,12 +15,12 @@ final class NodeMoves {
 
     private static final MOVE[] MOVES = MOVE.values();
 
-    /** Directions by node and last move, index 5 node + last move; null if nothing comes to the node by that move. */
+    /** Directions by node and last move, index 5 node + last move; null if the node cannot be entered by that move. */
     private final MOVE[][] moves;
-    /** Neighbours likewise. */
+    /** Neighbours, with the same index. */
     private final int[][] neighbours;
 
-    /** The directions of a maze: computed once, shared by all games. */
+    /** Returns the directions of a maze, computed once and shared by all games. */
     static NodeMoves of(MazeTables tables) {
         return tables.derived(NodeMoves.class, maze -> new NodeMoves(maze.graph()), NodeMoves.class);
     }
@@ -49,12 +49,12 @@ final class NodeMoves {
         }
     }
 
-    /** Directions that do not turn back; null if nothing comes to the node by that move. */
+    /** Returns the directions except back; null if the node cannot be entered by that move. */
     MOVE[] moves(int node, MOVE lastMove) {
         return lastMove == null ? null : moves[5 * node + lastMove.ordinal()];
     }
 
-    /** The neighbours in those directions. */
+    /** Returns the neighbours in those directions. */
     int[] neighbours(int node, MOVE lastMove) {
         return lastMove == null ? null : neighbours[5 * node + lastMove.ordinal()];
     }

@@ -1,13 +1,13 @@
 package pacman.game;
 
 /**
- * The pills of a game and what eating a power pill can cost. Immutable.
+ * The rules for the pills of a game and for penalties of power pills. Immutable.
  *
  * <p>Source: docs/specification/simulator.md, sections 2 and 7.
  *
- * @param preEatenPillPortion portion of pills that are missing from the start of a level, in [0, 1]
+ * @param preEatenPillPortion share of pills that are missing from the start of a level, in [0, 1]
  * @param closeGhostDistance path distance beyond which all threats count as far when a power pill is eaten
- * @param powerPillPunishmentRate probability in [0, 1] that the game ends when a ghost's edible time runs out
+ * @param powerPillPunishmentRate probability in [0, 1] that the game ends when a ghost's edible time ends
  * @param dieOnImproperPowerPillEating whether eating a power pill ends the game unless all active ghosts are threats
  */
 public record PillRules(

@@ -101,7 +101,7 @@ final class Sprites {
     }
 
     private static void paintPacMan(Graphics2D graphics, MOVE move, double mouth) {
-        // Degrees, counted against the clock from the right.
+        // Degrees, counterclockwise from the right.
         double facing =
                 switch (move) {
                     case RIGHT -> 0;
@@ -111,7 +111,7 @@ final class Sprites {
                 };
         graphics.setColor(PACMAN_COLOUR);
         graphics.fill(new Arc2D.Double(0.5, 0.5, 13, 13, facing + mouth, 360 - 2 * mouth, Arc2D.PIE));
-        // The bow sits at the back of the head.
+        // The bow is at the back of the head.
         double back = Math.toRadians(facing + 135);
         graphics.setColor(Color.RED);
         graphics.fill(new Ellipse2D.Double(5.2 + 4.6 * Math.cos(back), 5.2 - 4.6 * Math.sin(back), 3.6, 3.6));
@@ -123,7 +123,7 @@ final class Sprites {
         body.lineTo(1, 7);
         body.curveTo(1, -1.5, 13, -1.5, 13, 7);
         body.lineTo(13, 13);
-        // The skirt: waves that swap crests and valleys between the two pictures.
+        // The skirt: waves with crests and valleys swapped between the two pictures.
         double crest = frame == 0 ? 11 : 13;
         double valley = frame == 0 ? 13 : 11;
         body.lineTo(11, crest);

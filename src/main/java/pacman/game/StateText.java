@@ -13,8 +13,8 @@ import pacman.game.GameRules.Conventions;
 import pacman.maze.MazePoses;
 
 /**
- * The state string: fields joined by commas. The competition's has {@value #SHORT} fields; MM-NEAT's {@value #LONG} add
- * generator, counters and switches in front. Both are read, whatever the game's conventions.
+ * Writes and reads state strings: fields separated by commas. The competition's has {@value #SHORT} fields. MM-NEAT's
+ * has {@value #LONG}, with generator, counters and switches first. Both can be read under any conventions.
  *
  * <p>Source: docs/specification/simulator.md, section 5.
  */
@@ -100,7 +100,7 @@ final class StateText {
         }
     }
 
-    /** Sets what the string holds; everything else stays as it is. */
+    /** Restores the fields of the string; everything else stays unchanged. */
     static void read(GameState state, String text) {
         String[] fields = text.trim().split(",", -1);
         if (fields.length != SHORT && fields.length != LONG) {
@@ -108,7 +108,7 @@ final class StateText {
                     + " in the competition's form, this one has " + fields.length + ": " + shortened(text));
         }
         try {
-            // First into another game: nothing of this one changes unless everything can be read.
+            // Read into another game first, so that this game stays unchanged if the string is invalid.
             new StateText(fields).read(new GameState(0, state.rules, null));
             new StateText(fields).read(state);
         } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
@@ -177,7 +177,7 @@ final class StateText {
     }
 
     private static void readPills(GameState state, String pills, String powerPills) {
-        // As in the original all pills are set first, which draws random numbers under preEatenPillPortion.
+        // As in the original, all pills are set first, which draws random numbers under preEatenPillPortion.
         LevelPills.fill(state);
         LevelPills.fillPowerPills(state);
         requireLength("pills", pills, state.graph.pillCount());
@@ -205,7 +205,10 @@ final class StateText {
         }
     }
 
-    /** After the last level, nodes are still those of its maze; a game with more levels goes on in the next. */
+    /**
+     * Reads a node. After the last level, nodes are still those of its maze; a game with more levels continues in the
+     * next maze.
+     */
     private int nextNode(GameState state) {
         int lastNodes =
                 state.rules.mazes().mazes().get(state.shownMazeIndex()).graph().nodeCount();

@@ -7,7 +7,7 @@ import pacman.maze.MazeGraph;
 import pacman.maze.NonReversingSearch;
 
 /**
- * Search for a path without turning back, as competition entries call it. The same search fills the path cache.
+ * The search for a path without turning back, in the competition's interface. The same search fills the path cache.
  *
  * <p>Source: docs/specification/simulator.md, section 4.3.
  */
@@ -15,10 +15,10 @@ public class AStar {
 
     private short[] neighbours = {};
 
-    /** An empty graph; {@link #createGraph} gives it nodes. */
+    /** Creates an empty graph; {@link #createGraph} sets its nodes. */
     public AStar() {}
 
-    /** Takes over a graph, in which node i must be at index i. */
+    /** Sets the graph, in which node i must be at index i. */
     public void createGraph(Node[] nodes) {
         short[] table = new short[MazeGraph.MOVES * nodes.length];
         Arrays.fill(table, (short) -1);
@@ -30,20 +30,20 @@ public class AStar {
     }
 
     /**
-     * The path from a start, reached by a last move, to a target: both included.
+     * Returns the path from a start to a target, including both, given the last move to the start.
      *
-     * @param game gives the distances that guide the search
+     * @param game provides the distances that guide the search
      */
     public synchronized int[] computePathsAStar(int start, int target, MOVE lastMove, Game game) {
         return new NonReversingSearch(neighbours)
                 .path(start, target, lastMove.ordinal(), game::getShortestPathDistance);
     }
 
-    /** The path from a start that may be left in any direction. */
+    /** Returns the path from a start that may be left in any direction. */
     public synchronized int[] computePathsAStar(int start, int target, Game game) {
         return computePathsAStar(start, target, MOVE.NEUTRAL, game);
     }
 
-    /** Forgets the last search. Each search starts afresh anyway. */
+    /** Does nothing: each search is independent of earlier ones. */
     public void resetGraph() {}
 }

@@ -1,4 +1,4 @@
 package pacman.game.internal;
 
-/** A node in the path cache. The competition publishes the array, but not the type. */
+/** A node in the path cache. In the competition's interface the array is public, but the type is not. */
 record DNode(int nodeId, boolean isJunction) {}

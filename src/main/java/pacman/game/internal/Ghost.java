@@ -3,13 +3,13 @@ package pacman.game.internal;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 
-/** A ghost, as competition entries keep one in simulations of their own; the engine has its state in arrays. */
+/** A ghost for the simulations of competition entries. The engine keeps the state of ghosts in arrays. */
 public final class Ghost {
 
     public int currentNodeIndex;
-    /** Steps left to be edible; 0 if it is not. */
+    /** Steps for which the ghost stays edible; 0 if it is not edible. */
     public int edibleTime;
-    /** Steps left in the lair; 0 outside. */
+    /** Steps for which the ghost stays in the lair; 0 outside. */
     public int lairTime;
 
     public GHOST type;

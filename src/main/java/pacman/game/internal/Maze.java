@@ -5,7 +5,7 @@ import pacman.maze.MazeTables;
 import pacman.maze.Mazes;
 
 /**
- * A maze, as competition entries see it. One object is shared by all games: do not modify its arrays.
+ * A maze in the competition's interface. All games share one object: do not modify its arrays.
  *
  * <p>Source: docs/specification/simulator.md, section 1.4.
  */
@@ -30,7 +30,7 @@ public final class Maze {
     /** Letter of the maze, or file name of a drawing. */
     public String name;
 
-    /** The shared view of a maze: always the same object for the same tables. */
+    /** Returns the shared object of a maze, always the same for the same tables. */
     public static Maze of(MazeTables tables) {
         return tables.derived(Maze.class, Maze::new, Maze.class);
     }

@@ -5,11 +5,11 @@ import java.util.Map;
 import pacman.game.Constants.MOVE;
 
 /**
- * A node of the maze graph, as competition entries see it.
+ * A node of the maze graph in the competition's interface.
  *
- * <p>The tables by last move have an entry for NEUTRAL, which holds all neighbours, and one for each last move whose
- * opposite leads to a neighbour, which holds all but that one. Everything is in the order up, right, down, left. They are
- * shared by all games: do not modify them.
+ * <p>The tables by last move have an entry for NEUTRAL with all neighbours, and one for each last move whose opposite
+ * leads to a neighbour, with all other neighbours. The order is up, right, down, left. All games share the tables: do
+ * not modify them.
  *
  * <p>Source: docs/specification/simulator.md, section 1.4.
  */
@@ -30,11 +30,11 @@ public final class Node {
     public final int numNeighbouringNodes;
     /** Neighbours by direction; closed directions are absent. */
     public final EnumMap<MOVE, Integer> neighbourhood = new EnumMap<>(MOVE.class);
-    /** Directions that do not turn back, by last move. */
+    /** Directions except back, by last move. */
     public EnumMap<MOVE, MOVE[]> allPossibleMoves = new EnumMap<>(MOVE.class);
-    /** Neighbours that do not turn back, by last move. */
+    /** Neighbours except the one behind, by last move. */
     public EnumMap<MOVE, int[]> allNeighbouringNodes = new EnumMap<>(MOVE.class);
-    /** The same by direction. */
+    /** Neighbours except the one behind, by last move and direction. */
     public EnumMap<MOVE, EnumMap<MOVE, Integer>> allNeighbourhoods = new EnumMap<>(MOVE.class);
 
     /**

@@ -2,7 +2,7 @@ package pacman.game.internal;
 
 import pacman.game.Constants.MOVE;
 
-/** Ms. Pac-Man, as competition entries keep her in simulations of their own; the engine has her state in fields. */
+/** Ms. Pac-Man for the simulations of competition entries. The engine keeps her state in fields. */
 public final class PacMan {
 
     public int currentNodeIndex;

@@ -7,8 +7,8 @@ import pacman.maze.MazeGraph;
 import pacman.maze.Mazes;
 
 /**
- * Paths of one of the four mazes, as competition entries ask for them without a game. The paths themselves are made when the
- * first is asked for, and shared with all games.
+ * The paths of one of the four mazes in the competition's interface, for use without a game. They are computed at the
+ * first call and shared with all games.
  *
  * <p>Source: docs/specification/simulator.md, sections 1.4 and 4.4.
  */
@@ -22,10 +22,10 @@ public class PathsCache {
     /** A game in the maze. */
     public Game game;
 
-    /** The same, whatever is written into the public field. */
+    /** The same game, which stays even if the public field is overwritten. */
     private final Game inMaze;
 
-    /** The paths of a maze, 0 to 3. */
+    /** Creates the paths of a maze, 0 to 3. */
     public PathsCache(int mazeIndex) {
         MazeGraph graph = Mazes.standard().get(mazeIndex).graph();
         nodes = new DNode[graph.nodeCount()];

@@ -16,8 +16,8 @@ public class IO {
      * Writes data and a line end.
      *
      * @param fileName name below {@link #DIRECTORY}
-     * @param append whether to keep what the file holds already
-     * @return whether it worked; an error is printed
+     * @param append whether to append to an existing file
+     * @return whether the file was written; an error is printed
      */
     public static boolean saveFile(String fileName, String data, boolean append) {
         try {
@@ -36,7 +36,7 @@ public class IO {
     }
 
     /**
-     * Reads all lines that are not empty.
+     * Reads all non-empty lines.
      *
      * @param fileName name below {@link #DIRECTORY}
      * @return the lines, each followed by {@code \n}; empty after an error, which is printed

@@ -3,13 +3,13 @@ package pacman.game.util;
 import java.util.Date;
 
 /**
- * The log of an entry: one object that all its parts share. Part of the competition's programming interface.
+ * The log of an entry: one object shared by all its parts. Part of the competition's programming interface.
  *
- * <p>Messages are gathered in memory and written, through {@link IO}, by {@link #saveLog}. No line ends are added.
+ * <p>Messages are collected in memory; {@link #saveLog} writes them through {@link IO}. No line ends are added.
  */
 public class Log {
 
-    /** The interface wants one shared log; it is the only state of the simulator that controllers share. */
+    /** The interface requires one shared log. It is the only state of the simulator that controllers share. */
     private static final Log LOG = new Log();
 
     private final StringBuffer text = new StringBuffer();
@@ -37,7 +37,7 @@ public class Log {
         file = fileName;
     }
 
-    /** Puts the date in front of further messages. */
+    /** Prefixes further messages with the date. */
     public void enableTimeStamp() {
         timeStamp = true;
     }
@@ -49,7 +49,7 @@ public class Log {
     /**
      * Adds a message.
      *
-     * @param context the object that logs; its class is written in front of the message
+     * @param context the object that logs; its class name precedes the message
      */
     public void log(Object context, String message) {
         String date = timeStamp ? new Date() + "; " : "";
@@ -60,7 +60,7 @@ public class Log {
         }
     }
 
-    /** Forgets all messages. */
+    /** Deletes all messages. */
     public void clear() {
         text.setLength(0);
     }
