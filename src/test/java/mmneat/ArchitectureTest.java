@@ -24,9 +24,9 @@ import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
 /**
- * The packages and the directions between them: nothing depends on what stands above it.
+ * The rules of the architecture: a package depends only on packages below it.
  *
- * <p>Plain tests check the rules: as fields for ArchUnit's own engine they were not run by the build, which passed.
+ * <p>The rules are plain JUnit tests, because the build does not run rules that are fields for ArchUnit's engine.
  */
 class ArchitectureTest {
 
@@ -45,7 +45,10 @@ class ArchitectureTest {
         assertThatThrownBy(() -> ofNobody.check(OURS)).isInstanceOf(AssertionError.class);
     }
 
-    /** The packages of ours that each package uses, from the ground up; a package of ours that is missing here is an error. */
+    /**
+     * The packages of this program that each package uses, from the lowest up. A package that is missing here is an
+     * error.
+     */
     private static final Map<String, List<String>> USES = Map.ofEntries(
             uses("mmneat.random"),
             uses("pacman.maze"),
@@ -124,9 +127,9 @@ class ArchitectureTest {
         });
     }
 
-    /** The commands are above all others. */
+    /** The commands are in the highest package. */
     @Test
-    void packages_haveTheirPlaceInTheHouse() {
+    void packages_dependOnlyOnPackagesBelow() {
         String[] known =
                 Stream.concat(USES.keySet().stream(), Stream.of("mmneat.cli..")).toArray(String[]::new);
         assertThat(OURS.stream().filter(type -> !JavaClass.Predicates.resideInAnyPackage(known)
@@ -134,7 +137,7 @@ class ArchitectureTest {
                 .isEmpty();
     }
 
-    /** The classes of 2012 that refer back to {@code pacman.game}: the competition published their signatures. */
+    /** The classes of the competition that refer back to {@code pacman.game}, as their published signatures require. */
     private static final Set<String> COMPETITION_SHELLS = Set.of(
             "pacman.game.internal.AStar",
             "pacman.game.internal.Ghost",
@@ -142,9 +145,9 @@ class ArchitectureTest {
             "pacman.game.internal.PacMan",
             "pacman.game.internal.PathsCache");
 
-    /** The shells are for entries of 2012; our own code has {@code pacman.maze}. */
+    /** Only competition entries use these classes; our own code uses {@code pacman.maze}. */
     @Test
-    void competitionShells_areForEntriesAlone() {
+    void competitionShells_areUsedByEntriesOnly() {
         noClasses()
                 .that()
                 .resideInAPackage("mmneat..")
@@ -179,8 +182,8 @@ class ArchitectureTest {
     }
 
     /**
-     * The public variables of the competition's interface, which entries may assign. Nothing of ours depends on them, but
-     * for the view, which paints the debug drawing.
+     * The public variables of the competition's interface, which entries may assign. Of our own code, only the view
+     * depends on them, for the debug drawing.
      */
     private static final Set<String> COMPETITION_VARIABLES = Set.of(
             "pacman.game.Constants.pathImages",
@@ -189,7 +192,7 @@ class ArchitectureTest {
             "pacman.game.GameView.debugPointers",
             "pacman.game.GameView.debugLines");
 
-    /** Two games or two experiments in one JVM share nothing that changes. */
+    /** Two games or two experiments in one JVM share no mutable state. */
     @Test
     void staticFields_areFinal() {
         ArchRule rule = fields().that()

@@ -24,8 +24,8 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 
 /**
- * An entry of our own that touches everything public, compiled against the simulator's jar alone: it runs with that jar,
- * and the packaged program plays it.
+ * A test entry that uses everything public, compiled against the simulator's jar only: it runs with that jar, and the
+ * packaged program plays it.
  */
 class CompetitionEntryIT {
 
@@ -70,7 +70,7 @@ class CompetitionEntryIT {
                     "ghosts=tour.TouringGhosts",
                     "games=3",
                     "seed=1");
-            // On a slow machine there is progress.
+            // A slow machine may print progress.
             assertThat(run.errors()).doesNotContain("mmneat:", "Exception");
             assertThat(run.exitCode()).isZero();
             assertThat(run.output()).startsWith("tour.TouringPacMan against tour.TouringGhosts, 3 games");
@@ -108,7 +108,10 @@ class CompetitionEntryIT {
         assertThat(listed).isEmpty();
     }
 
-    /** The members of the manifest as name and number of parameters; constants are left out, the compiler copies them. */
+    /**
+     * Returns the members of the manifest as name and number of parameters. Constants are left out, because the
+     * compiler copies them.
+     */
     private static Set<String> listedMembers() throws IOException {
         Set<String> members = new HashSet<>();
         Pattern call = Pattern.compile(".*?([\\w.$]+)\\((.*)\\);");
@@ -131,7 +134,7 @@ class CompetitionEntryIT {
                 }
             }
         }
-        // Not an entry's to use: element types are hidden, and a constant array of names.
+        // Not usable by entries: types of elements are hidden, and a constant array of names.
         members.removeAll(Set.of("nodes", "junctions"));
         return members;
     }
@@ -140,7 +143,7 @@ class CompetitionEntryIT {
         return name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf('$')) + 1);
     }
 
-    /** Gathers what a class calls, reads, writes and implements. */
+    /** Collects the members that a class calls, reads, writes and implements. */
     private static ClassVisitor uses(Set<String> used) {
         return new ClassVisitor(Opcodes.ASM9) {
             @Override

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 
-/** Compiles small sources for tests, as a user would: against a class path of its own, into a folder or jar. */
+/** Compiles small sources for tests against a given class path, into a folder or jar. */
 public final class CompiledClasses {
 
     private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/", Pattern.DOTALL);
@@ -28,8 +28,8 @@ public final class CompiledClasses {
     /**
      * Compiles sources.
      *
-     * @param folder gets the sources and the classes
-     * @param classPath what the sources may use
+     * @param folder folder for the sources and the classes
+     * @param classPath class path of the sources
      * @param sources each one compilation unit
      * @return the folder of the classes
      */

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The first programs: they run, are short, and are printed unchanged in README.md or docs/libraries.md. */
+/** The example programs run, are short, and are printed unchanged in README.md or docs/libraries.md. */
 class ExamplesTest {
 
     private static final Path PROJECT =

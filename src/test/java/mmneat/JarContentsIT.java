@@ -12,7 +12,7 @@ import java.util.jar.JarFile;
 import java.util.zip.ZipEntry;
 import org.junit.jupiter.api.Test;
 
-/** The runnable jar is small, and carries the licences of everything in it. */
+/** The runnable jar is small and contains the licences of everything in it. */
 class JarContentsIT {
 
     private static final Path JAR = Path.of(System.getProperty("mmneat.jar"));
@@ -36,7 +36,7 @@ class JarContentsIT {
                     .toList();
             assertThat(libraries).contains("jackson-core", "commons-math3").allSatisfy(library -> assertThat(thirdParty)
                     .containsPattern("(?m)^" + library + " "));
-            // ASM and picocli tell no coordinates.
+            // ASM and picocli do not contain their coordinates.
             assertThat(thirdParty).contains("picocli", "asm-tree");
             for (String line :
                     thirdParty.lines().filter(l -> l.endsWith(".txt")).toList()) {

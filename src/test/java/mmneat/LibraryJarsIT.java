@@ -19,12 +19,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The library jars: each runs with those that its POM names, holds its own packages alone, and has sources. */
+/** The library jars: each runs with the jars that its POM names, contains only its own packages, and has sources. */
 class LibraryJarsIT {
 
     private static final Path TARGET = Path.of(System.getProperty("mmneat.jar")).getParent();
 
-    /** What a project takes: together on one class path, or on one module path. */
+    /** The jars that a project uses together, on one class path or one module path. */
     private static final List<String> PUBLISHED =
             List.of("random", "simulator-alone", "neat", "nsga2", "evolution", "application");
 

@@ -28,7 +28,7 @@ import pacman.maze.MazeText;
 /**
  * Makes {@code src/test/resources/conformance} from the full golden data: {@code scripts/pack-conformance}.
  *
- * <p>Not part of the build (the name does not end in Test). The README beside the packed files says what they hold.
+ * <p>Not part of the build (the name does not end in Test). The README beside the packed files describes them.
  */
 class PackConformanceData {
 
@@ -47,10 +47,10 @@ class PackConformanceData {
             "sensors-options",
             "statistics");
 
-    /** For each pair of players one game in each maze and from each power pill. */
+    /** Selects, for each pair of players, one game in each maze and from each power pill. */
     private static final IntPredicate GHOST_GAMES = game -> Set.of(3, 5, 6, 7).contains(game % 10);
 
-    /** A file system stamp that never changes, so that packing twice makes the same bytes. */
+    /** A constant time stamp, so that packing twice gives the same bytes. */
     private static final LocalDateTime STAMP = LocalDateTime.of(2016, 2, 1, 0, 0);
 
     @TempDir
@@ -119,7 +119,7 @@ class PackConformanceData {
         zip("ghost-locations", compact);
     }
 
-    /** The isolated runs need all ghost locations of the original: here this program runs them with its own. */
+    /** The isolated runs would need all ghost locations of the original, so this program runs them with its own. */
     @Test
     void runs() throws Exception {
         Path golden = GoldenData.folder("runs");

@@ -12,16 +12,16 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * A program that ran as a process of its own, as a user would start it.
+ * The result of a program that ran as a separate process.
  *
- * @param output what it wrote to standard output
- * @param errors what it wrote to standard error
+ * @param output its standard output
+ * @param errors its standard error
  */
 public record ProgramRun(int exitCode, String output, String errors) {
 
     private static final int LONGEST_SECONDS = 300;
 
-    /** Runs this Java with arguments, without a display, and waits for its end. */
+    /** Runs this Java with arguments, without a display, and waits until it ends. */
     public static ProgramRun java(Path folder, String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(
                 List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
@@ -37,7 +37,7 @@ public record ProgramRun(int exitCode, String output, String errors) {
                 .collect(Collectors.joining(File.pathSeparator));
     }
 
-    /** Runs a command in a folder, in which its output is left, and waits for its end. */
+    /** Runs a command in a folder, where its output files stay, and waits until it ends. */
     public static ProgramRun of(Path folder, List<String> command) throws IOException, InterruptedException {
         Path output = Files.createTempFile(folder, "output", ".txt");
         Path errors = Files.createTempFile(folder, "errors", ".txt");

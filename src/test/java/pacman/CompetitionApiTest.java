@@ -31,7 +31,7 @@ import org.objectweb.asm.Opcodes;
 import pacman.ProgrammingInterface.ClassBlock;
 import pacman.ProgrammingInterface.Member;
 
-/** The simulator keeps the programming interface of the competition: entries compile and link against it. */
+/** The simulator has the programming interface of the competition: entries compile and link against it. */
 class CompetitionApiTest {
 
     @TestFactory
@@ -121,7 +121,7 @@ class CompetitionApiTest {
         if (Modifier.isFinal(field.getModifiers()) && !member.modifiers().contains("final")) {
             faults.add(member.name() + " must not be final");
         }
-        // The paths of the competition's data files are ours to choose.
+        // The paths of the competition's data files may differ.
         boolean path = member.name().startsWith("path");
         Object constant = constants.get(member.name());
         if (member.value() != null
@@ -170,7 +170,7 @@ class CompetitionApiTest {
         return faults;
     }
 
-    /** Declared and inherited, the most special first. */
+    /** Returns declared and inherited methods, the most specific first. */
     private static Stream<Method> methods(Class<?> type) {
         return Stream.<Class<?>>iterate(type, java.util.Objects::nonNull, Class::getSuperclass)
                 .flatMap(declaring -> Arrays.stream(declaring.getDeclaredMethods()));
@@ -214,7 +214,7 @@ class CompetitionApiTest {
         return type.replace(" ", "");
     }
 
-    /** The fields whose values the compiler copies into the code that uses them. */
+    /** Returns the constants, whose values the compiler copies into the code that uses them. */
     private static Map<String, Object> constants(Class<?> type) throws IOException {
         Map<String, Object> constants = new HashMap<>();
         String file = type.getName().substring(type.getName().lastIndexOf('.') + 1) + ".class";

@@ -38,7 +38,7 @@ import pacman.game.GhostLocations;
 @Timeout(120)
 class ExecutorTest {
 
-    /** Answers null, which ends a game by MM-NEAT's rules in its twelfth tick. */
+    /** A controller that returns null, which ends a game by MM-NEAT's rules in its twelfth tick. */
     private static final class Silent extends Controller<MOVE> {
         @Override
         public MOVE getMove(Game game, long timeDue) {
@@ -108,7 +108,7 @@ class ExecutorTest {
                 });
     }
 
-    /** Keeps no suppressed exceptions, and is thrown again and again. */
+    /** An exception without suppressed exceptions, thrown repeatedly. */
     private static final class Light extends RuntimeException {
         private static final long serialVersionUID = 1;
 
@@ -150,7 +150,7 @@ class ExecutorTest {
         assertThat(ControllerFailure.in(same).orElseThrow().totalTime()).isEqualTo(7);
     }
 
-    /** Notes by when its answers are wanted; takes its time for the first. */
+    /** A controller that records due times and is slow in its first answer. */
     private static final class Punctual<T> extends Controller<T> {
         private final List<Long> due = new ArrayList<>();
 
@@ -286,7 +286,7 @@ class ExecutorTest {
         String text = Files.readString(file);
         assertThat(text).endsWith(System.lineSeparator());
         List<String> lines = text.lines().toList();
-        // The twelfth call ends the game without a tick, and is recorded too.
+        // The twelfth call ends the game without a tick, and is also recorded.
         assertThat(lines).hasSize(12);
         assertThat(lines).allSatisfy(line -> assertThat(line.split(",")).hasSize(56));
         assertThat(lines.get(10)).isEqualTo(lines.get(11));
@@ -394,7 +394,7 @@ class ExecutorTest {
         waiting.join();
     }
 
-    /** Answers the first state after the step for which it is wanted, and notes how many threads are in it. */
+    /** A controller that answers the first state after its step, and records how many threads are deciding. */
     private static final class Tardy extends Controller<MOVE> {
         private final AtomicInteger inside = new AtomicInteger();
         private volatile int most;
@@ -415,7 +415,7 @@ class ExecutorTest {
         Game game = mmneatGame(0);
         AtomicInteger steps = new AtomicInteger();
         TimedRun run = new TimedRun(tardy, new NoGhosts(), TimedRun.Waiting.UNTIL_ANSWERED);
-        // The first state is answered after its step, no other is.
+        // Only the first state is answered after its step.
         TimedReport report = run.play(game, state -> {
             if (steps.incrementAndGet() == 1) {
                 tardy.allowed.release();

@@ -8,13 +8,13 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Commands that work with the champions that come with the program, as a user types them. */
+/** Commands with the shipped champions, as a user types them. */
 class ChampionCommandsTest extends CommandTest {
 
     @TempDir
     private Path folder;
 
-    /** A mistake that may come out late: a slow machine may have shown progress before. */
+    /** Asserts a user's error that may be found late; a slow machine may print progress before it. */
     private void assertMistakeAtWork(String message, String... arguments) {
         assertThat(execute(arguments)).isEqualTo(2);
         assertThat(errors.toString().lines().filter(line -> line.startsWith("mmneat: ")))
@@ -78,7 +78,7 @@ class ChampionCommandsTest extends CommandTest {
     }
 
     @Test
-    void recordingThatGivesUp_saysWhatIsMissing_andKeepsWhatThereIs() {
+    void recordingThatGivesUp_reportsMissingObservations_andKeepsTheOthers() {
         Path file = folder.resolve("few.txt");
         assertMistakeAtWork("out=" + folder + ": this is a folder", "record-ghosts", "out=" + folder);
         assertMistakeAtWork("out=" + folder + ": this is a folder", "tasks", "out=" + folder);

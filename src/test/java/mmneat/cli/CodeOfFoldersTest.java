@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A folder of a run that names classes: no command loads them unless its own words name the jar. */
+/** Folders of runs that name classes: a command loads them only if its own words name the jar. */
 class CodeOfFoldersTest extends CommandTest {
 
     @TempDir
@@ -91,7 +91,7 @@ class CodeOfFoldersTest extends CommandTest {
         assertThat(System.getProperty("mmneat.test.loaded")).isNull();
     }
 
-    /** A class on the class path that tells when it is initialised. */
+    /** A class on the class path that records its initialisation. */
     static final class Near {
         static {
             System.setProperty("mmneat.test.loaded", "yes");
@@ -113,7 +113,7 @@ class CodeOfFoldersTest extends CommandTest {
     void jarOnTheCommandLine_allowsTheClasses() {
         execute("evaluate", folder.toString(), "games=1", "jar=" + classes);
         assertThat(trace).exists();
-        // The champion was evolved without the sensor.
+        // The champion was evolved without this sensor.
         assertThat(errors.toString()).contains("the network has 30 inputs").doesNotContain("code");
     }
 

@@ -6,21 +6,21 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import picocli.CommandLine;
 
-/** Runs the program's commands as its command line does, and keeps what they print. */
+/** Base class that runs the program's commands and captures their output. */
 abstract class CommandTest {
 
-    /** What the last command printed as its result. */
+    /** Standard output of the last command. */
     final StringWriter out = new StringWriter();
 
-    /** What the last command printed beside it. */
+    /** Standard error of the last command. */
     final StringWriter errors = new StringWriter();
 
-    /** Runs a command, and gives its exit code. */
+    /** Runs a command and returns its exit code. */
     final int execute(String... arguments) {
         return execute(Main.commandLine(), arguments);
     }
 
-    /** The same with a command line that a test has changed. */
+    /** Runs a command with a command line that a test has changed. */
     final int execute(CommandLine line, String... arguments) {
         out.getBuffer().setLength(0);
         errors.getBuffer().setLength(0);
@@ -29,7 +29,7 @@ abstract class CommandTest {
         return line.execute(arguments);
     }
 
-    /** A user's mistake: exit code 2, one line that says what is wrong, and no result. */
+    /** Asserts a user's error: exit code 2, one line that says what is wrong, and no result. */
     final void assertMistake(String message, String... arguments) {
         assertThat(execute(arguments)).isEqualTo(2);
         assertThat(errors.toString().lines()).hasSize(1);

@@ -90,7 +90,7 @@ class CompareCommandTest extends CommandTest {
     }
 
     @Test
-    void paper_withoutEvaluatedRuns_hasNoVerdict_andTheTableSaysWhatIsMissing() throws IOException {
+    void paper_withoutEvaluatedRuns_hasNoVerdict_andTheTableNamesMissingRuns() throws IOException {
         twoMethods();
         assertThat(execute("compare", base.resolve("blended").toString(), "paper=true"))
                 .isZero();

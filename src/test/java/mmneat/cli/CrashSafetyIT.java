@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import pacman.game.GhostLocations;
 
-/** Nothing is ever lost: real processes of the packaged jar, killed, stopped, started twice and out of disk space. */
+/** No data are lost: processes of the packaged jar are killed, stopped, started twice and run out of disk space. */
 class CrashSafetyIT {
 
     private static final Path JAR = Path.of(System.getProperty("mmneat.jar", "target/mmneat.jar"));
@@ -39,7 +39,7 @@ class CrashSafetyIT {
     }
 
     private ProcessBuilder command(Path base, String... more) {
-        // A shell that runs this test in the background has Ctrl-C ignored; the program is not to inherit that.
+        // A shell that runs this test in the background ignores Ctrl-C; the program must not inherit that.
         List<String> command = new ArrayList<>(List.of(
                 "env",
                 "--default-signal=INT",
@@ -47,7 +47,7 @@ class CrashSafetyIT {
                 "-Xmx512m",
                 "-jar",
                 JAR.toString()));
-        // A word that is said again means the later one.
+        // A repeated word overrides the earlier one.
         Map<String, String> words = new LinkedHashMap<>();
         Stream.concat(EXPERIMENT.stream(), Arrays.stream(more))
                 .forEach(word -> words.put(word.substring(0, word.indexOf('=')), word));
@@ -67,7 +67,7 @@ class CrashSafetyIT {
         return process.exitValue();
     }
 
-    /** Waits until a file is there, or the process has ended. */
+    /** Waits until a file exists or the process has ended. */
     private static void awaitFile(Process process, Path file) {
         while (process.isAlive() && !Files.exists(file)) {
             Thread.onSpinWait();
@@ -134,7 +134,7 @@ class CrashSafetyIT {
     }
 
     @Test
-    void terminated_leavesWithinFiveSeconds_saysHowToGoOn_andGoesOn() throws Exception {
+    void terminatedRun_ends_saysHowToContinue_andContinues() throws Exception {
         for (Map.Entry<String, Integer> signal : Map.of("TERM", 143, "INT", 130).entrySet()) {
             Path base = folder.resolve(signal.getKey());
             Process process = start(base);
@@ -171,7 +171,7 @@ class CrashSafetyIT {
                 .isEqualTo(content(unmoved.resolve("2M0")))
                 .containsKey("ghost-locations.txt");
 
-        // The folder alone is enough: its parameters name its own locations.
+        // The folder is sufficient: its parameters name its own ghost locations.
         Path again = folder.resolve("again");
         List<String> fromFile = new ArrayList<>(command(again).command());
         fromFile.removeAll(EXPERIMENT);
@@ -204,7 +204,7 @@ class CrashSafetyIT {
         Path base = folder.resolve("full");
         List<String> limited = new ArrayList<>(List.of("bash", "-c", "ulimit -f 24; exec \"$@\"", "bash"));
         limited.addAll(command(base).command());
-        // A limit on the size of files stops the writing of the larger ones as a full disk would.
+        // A limit on the size of files makes writing larger files fail, like a full disk.
         limited.add(limited.indexOf("-Xmx512m"), "-XX:-UsePerfData");
         Process process = new ProcessBuilder(limited)
                 .redirectErrorStream(true)

@@ -9,7 +9,9 @@ import mmneat.ProgramRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Folders whose names the locale cannot tell: Java would take another folder of a similar name, and make it. */
+/**
+ * Folders with names that the locale cannot represent: Java would create and use another folder with a similar name.
+ */
 class FolderNameIT {
 
     private static final Path JAR =

@@ -27,7 +27,7 @@ class LaterVersionRunTest extends CommandTest {
 
     private Path run;
 
-    /** The files of a recorded run with the names, packages and parameters of later versions. */
+    /** Makes the files of a recorded run with the names, packages and parameters of later versions. */
     @BeforeEach
     void makeRun() throws IOException {
         run = Files.createDirectories(folder.resolve("MMD0"));
@@ -92,7 +92,7 @@ class LaterVersionRunTest extends CommandTest {
     void champion_ofAScoreInAnotherColumn_isFoundByTheScript() throws IOException {
         Path log = run.resolve("P-MMD0_parents_log.txt");
         Path script = run.resolve("P-MMD0_parents_log.plot");
-        // One more objective in front: four more columns.
+        // One more objective before the others: four more columns.
         Files.write(
                 log,
                 Files.readAllLines(log).stream()

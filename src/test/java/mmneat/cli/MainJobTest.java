@@ -27,7 +27,7 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
-    void experiment_endsWithATableOfChampions_aLearningCurve_andWhatToDoNext() {
+    void experiment_endsWithATableOfChampions_aLearningCurve_andNextCommands() {
         assertThat(evolve("runs=2")).isZero();
         assertThat(out.toString())
                 .contains("XorTask-1M: 2 runs in " + folder.resolve("xor"))
@@ -73,7 +73,7 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
-    void damagedListOfRuns_isAMistake_thatSaysWhatToDo() throws IOException {
+    void damagedListOfRuns_isAnErrorWithAdvice() throws IOException {
         assertThat(evolve("runs=1")).isZero();
         Files.writeString(folder.resolve("xor/XorTask-1M.runs.json"), "{\"saveTo");
         assertMistake("is damaged; remove it", "status", folder.toString());

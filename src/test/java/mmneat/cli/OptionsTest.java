@@ -94,7 +94,7 @@ class OptionsTest extends CommandTest {
         assertThat(out.toString()).startsWith("MM-NEAT ");
     }
 
-    /** Prints what it was given. */
+    /** Prints its arguments. */
     @Command(name = "echo")
     static final class Echo extends ConsoleCommand implements Runnable {
 
@@ -141,7 +141,7 @@ class OptionsTest extends CommandTest {
     }
 
     @Test
-    void valuesOutOfRange_sayWhatIsAllowed() {
+    void valuesOutOfRange_nameTheRange() {
         assertThat(echo("games=0")).isEqualTo("mmneat: games=0: must be a whole number from 1 to 10000");
         assertThat(echo("games=10001")).isEqualTo("mmneat: games=10001: must be a whole number from 1 to 10000");
         assertThat(echo("games=99999999999")).endsWith(": must be a whole number from 1 to 10000");

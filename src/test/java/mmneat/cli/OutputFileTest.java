@@ -32,7 +32,7 @@ class OutputFileTest {
     @Test
     void failedWrite_leavesTheOldFile() throws IOException {
         Path file = Files.writeString(folder.resolve("page.html"), "old");
-        // A folder in the place of the temporary file: as on a full disk, the new content cannot be written.
+        // A folder with the name of the temporary file prevents writing the new content, like a full disk.
         Files.createDirectories(folder.resolve("page.html.unfinished"));
         assertThatThrownBy(() -> OutputFile.write(file, "new"))
                 .isInstanceOf(UserError.class)

@@ -224,7 +224,10 @@ class PlayCommandTest extends CommandTest {
         assertMistake("seed=3 has no effect here", "evaluate", "champion=blended", "report=true", "seed=3");
     }
 
-    /** Plays as StarterPacMan, but looks ahead in a copy to where a ghost is edible no more, which draws from the run's generator. */
+    /**
+     * The source of a controller that plays as StarterPacMan and also advances a copy until a ghost is no longer
+     * edible, which draws from the run's generator.
+     */
     private static String lookingAhead() {
         return "package team; public class Ahead extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
                 + " private final pacman.controllers.examples.StarterPacMan starter ="

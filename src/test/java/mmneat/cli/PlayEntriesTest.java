@@ -11,7 +11,7 @@ import mmneat.ProgramRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The command play with entries of others: their class paths, arguments, failures and punctuality. */
+/** The command play with competition entries: their class paths, arguments, failures and punctuality. */
 class PlayEntriesTest extends CommandTest {
 
     @TempDir
@@ -21,7 +21,7 @@ class PlayEntriesTest extends CommandTest {
         return out.toString().lines().toList().get(1);
     }
 
-    /** Classes of Ms. Pac-Man controllers in package my. */
+    /** Compiles Ms. Pac-Man controllers in package my. */
     private Path compiled(String... classes) throws IOException {
         String[] sources = new String[classes.length / 2];
         for (int i = 0; i < sources.length; i++) {
@@ -35,7 +35,7 @@ class PlayEntriesTest extends CommandTest {
                 Files.createTempDirectory(folder, "entry"), System.getProperty("java.class.path"), sources);
     }
 
-    /** Answers left, but in its third game. */
+    /** A controller that answers LEFT, and fails in its third game. */
     private Path failingInItsThirdGame() throws IOException {
         return compiled(
                 "Third",
@@ -161,7 +161,7 @@ class PlayEntriesTest extends CommandTest {
                 .contains("the constructor of my.Second threw java.lang.IllegalStateException: full; game 2 of 4");
     }
 
-    /** Fills the heap with small objects that its class keeps, in a process with little memory. */
+    /** The entry fills the heap with small objects in a static field, in a process with little memory. */
     @Test
     void entryThatKeepsAllMemory_losesNoFinishedGame() throws IOException, InterruptedException {
         Path classes = compiled(
@@ -227,7 +227,7 @@ class PlayEntriesTest extends CommandTest {
     }
 
     @Test
-    void eachSide_hasAClassPathOfItsOwn() throws IOException {
+    void eachSide_hasItsOwnClassPath() throws IOException {
         String ghosts = "package pacman.entries.ghosts; public class MyGhosts extends"
                 + " pacman.controllers.Controller<java.util.EnumMap<pacman.game.Constants.GHOST,"
                 + " pacman.game.Constants.MOVE>> { public java.util.EnumMap<pacman.game.Constants.GHOST,"

@@ -40,7 +40,7 @@ class ProcessCommandTest extends CommandTest {
     }
 
     @Test
-    void nothingThere_saysSo() {
+    void emptyFolder_isReported() {
         assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X"))
                 .isEqualTo(2);
         assertThat(errors.toString())
@@ -81,7 +81,7 @@ class ProcessCommandTest extends CommandTest {
     }
 
     @Test
-    void statusOfAFile_saysSo() throws IOException {
+    void statusOfAFile_isAnError() throws IOException {
         Path file = base.resolve("notes.txt");
         assertMistake(file + ": there is no such folder", "status", file.toString());
         Files.writeString(file, "x");

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The page about experiments, and the replays that it links to, as their readers see them. */
+/** The report about experiments, and the replays to which it links. */
 class ReportCommandTest extends CommandTest {
 
     @TempDir

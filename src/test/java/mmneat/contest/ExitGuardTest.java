@@ -9,7 +9,7 @@ import mmneat.ProgramRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A controller that ends the program in a way that its byte code does not show: in processes of their own. */
+/** Controllers that end the program in ways that their byte code does not show, in separate processes. */
 class ExitGuardTest {
 
     @TempDir

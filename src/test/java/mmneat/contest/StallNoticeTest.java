@@ -17,7 +17,7 @@ class StallNoticeTest {
 
     private static final long MILLISECONDS = 20;
 
-    /** What is noted; the first line releases the waiting test. */
+    /** The printed notices; the first line releases the waiting test. */
     private static final class Notes extends PrintWriter {
         private final CountDownLatch written = new CountDownLatch(1);
 
@@ -36,7 +36,7 @@ class StallNoticeTest {
         }
     }
 
-    /** Does not answer at time 5 until the stall is noticed. */
+    /** A controller that does not answer at time 5 until the stall is reported. */
     private static final class Thinker extends Controller<MOVE> {
         private static final int LONG_THOUGHT = 5;
         private final CountDownLatch noticed;

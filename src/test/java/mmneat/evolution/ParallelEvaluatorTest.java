@@ -23,7 +23,7 @@ class ParallelEvaluatorTest {
     private final Genotype genotype = new InitialNetworks(1, ModuleLayout.single(1)).create(0, new ResumableRandom(1));
 
     @Test
-    void everyEvaluation_hasAGeneratorOfItsOwn_overParentsChildrenGenerationsAndRuns() {
+    void everyEvaluation_hasItsOwnGenerator_overParentsChildrenGenerationsAndRuns() {
         List<Double> drawn = new ArrayList<>();
         for (long runSeed = 0; runSeed < 3; runSeed++) {
             for (int generation = 0; generation < 3; generation++) {

@@ -58,7 +58,7 @@ class StatisticsTest {
     }
 
     @Test
-    void mode_valueExactlyAThousandthAbove_isAGroupOfItsOwn() {
+    void mode_valueExactlyAThousandthAbove_startsANewGroup() {
         assertThat(ScoreStatistic.MODE.of(0, 0.001)).isEqualTo(0.001);
         assertThat(ScoreStatistic.MODE.of(0, Math.nextDown(0.001))).isZero();
     }

@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Typing errors are recognised, other names are not taken for them. */
+/** Typing errors are recognised; other names are not taken for typing errors. */
 class NearestNameTest {
 
     private static final List<String> KNOWN = List.of("a", "mu", "maxGens", "startingModes", "trials");

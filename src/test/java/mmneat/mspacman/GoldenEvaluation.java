@@ -17,7 +17,7 @@ import mmneat.neat.NodeGene;
 import mmneat.neat.NodeType;
 import pacman.game.GhostLocations;
 
-/** One of the original's recorded evaluations: a network, a seed and what came out. */
+/** One of the original's recorded evaluations: a network, a seed and the result. */
 record GoldenEvaluation(JsonNode json) {
 
     private static final ObjectMapper MAPPER = new ObjectMapper();

@@ -21,7 +21,7 @@ public final class GoldenEvaluations {
                 .toList();
     }
 
-    /** Whether an evaluation has the recorded scores and module usage, and draws as many random numbers. */
+    /** Whether an evaluation has the recorded scores, module usage and number of random draws. */
     public static boolean isTheOriginals(String name, GhostLocations locations) {
         try {
             GoldenEvaluation golden = GoldenEvaluation.named(name);

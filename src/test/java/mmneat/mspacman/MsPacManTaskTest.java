@@ -49,7 +49,7 @@ class MsPacManTaskTest {
     }
 
     @Test
-    void evaluation_isTheSameAgain_withTheSameSeed_andWhileSomebodyLooksOn() {
+    void evaluation_isTheSame_withTheSameSeed_andWithAnObserver() {
         Genotype network = network(30, TWO_MODULES);
         Evaluation first = blended(3).evaluate(network, new ResumableRandom(5));
 
@@ -79,7 +79,7 @@ class MsPacManTaskTest {
                 .isEqualTo(task.evaluate(network, new ResumableRandom(5)));
     }
 
-    /** Recorded from this program at a time when it passed all of the original's evaluations. */
+    /** Recorded with this program when it passed all of the original's evaluations. */
     @Test
     void evaluation_givesTheRecordedScores() {
         Genotype network = new InitialNetworks(30, TWO_MODULES).create(1, new ResumableRandom(177));

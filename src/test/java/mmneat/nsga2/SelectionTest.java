@@ -67,7 +67,7 @@ class SelectionTest {
     }
 
     @Test
-    void frontsThatWereHandedOut_areTheCallersOwn() {
+    void returnedFronts_areCopies() {
         for (Crowding crowding : Crowding.values()) {
             NondominatedSorting sorting = NondominatedSorting.of(new double[][] {{1, 2}, {2, 1}, {0, 0}}, crowding);
             List<int[]> before = sorting.fronts().stream().map(int[]::clone).toList();

@@ -17,7 +17,7 @@ import pacman.game.Game;
 @Timeout(60)
 class ControllerTest {
 
-    /** Reports each decision, and ends it when it is allowed to. */
+    /** A controller that reports each decision and ends it when the test allows it. */
     private static final class Slow extends Controller<MOVE> {
         final BlockingQueue<Game> asked = new LinkedBlockingQueue<>();
         final Semaphore allowed = new Semaphore(0);
@@ -63,7 +63,7 @@ class ControllerTest {
         }
     }
 
-    /** Until the supervisor has dealt with all updates: what comes too late for it would be seen by the next worker. */
+    /** Waits until the supervisor has handled all updates; a later update would be left to the next worker. */
     private void awaitWaitingSupervisor() {
         while (supervisor.getState() != Thread.State.WAITING) {
             Thread.onSpinWait();
@@ -91,7 +91,7 @@ class ControllerTest {
         controller.update(third, 0);
         awaitWaitingSupervisor();
         controller.allowed.release();
-        // A late decision counts as an answer, although newer games have been supplied.
+        // A late decision counts as an answer, even if newer states have been supplied.
         awaitComputed();
         assertThat(controller.asked).isEmpty();
         Game fourth = new Game(4);
@@ -166,7 +166,7 @@ class ControllerTest {
         assertThat(nextAsked()).isSameAs(second);
     }
 
-    /** Answers at once. */
+    /** A controller that answers immediately. */
     private static final class Quick extends Controller<MOVE> {
         @Override
         public MOVE getMove(Game game, long timeDue) {
@@ -180,7 +180,7 @@ class ControllerTest {
         for (int cycle = 0; cycle < 1000; cycle++) {
             Thread game = new Thread(quick);
             game.start();
-            // A worker of the game before may still be at it when the first update comes: then the next one counts.
+            // A worker of the previous game may still be deciding at the first update: then the next update counts.
             while (!quick.hasComputed()) {
                 quick.update(first, 0);
                 for (int look = 0; look < 100 && !quick.hasComputed(); look++) {
@@ -199,7 +199,7 @@ class ControllerTest {
         awaitWaitingSupervisor();
         Thread sleeper = supervisor;
         synchronized (controller) {
-            // The sleeper cannot look before the lock is free.
+            // The sleeping supervisor cannot check before the lock is free.
             controller.terminate();
             controller.threadRevive();
         }
@@ -227,7 +227,7 @@ class ControllerTest {
         assertThat(controller.hasComputed()).isFalse();
     }
 
-    /** Notes how many threads are in its decision at once. */
+    /** A controller that records how many threads decide at the same time. */
     private static final class Crowded extends Controller<MOVE> {
         private final AtomicInteger inside = new AtomicInteger();
         private volatile boolean wasCrowded;

@@ -11,7 +11,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
 
-/** Actions become moves: docs/specification/controllers.md, section 3.1. */
+/** Actions are converted to moves: docs/specification/controllers.md, section 3.1. */
 class NewPacManControllerTest {
 
     private static final class Acting extends NewPacManController {

@@ -19,8 +19,8 @@ import java.util.zip.GZIPOutputStream;
  * The compact form of a trace file: a step keeps only its inputs, and a checksum stands for its values.
  *
  * <p>A step is Ms. Pac-Man's input and the ghosts' input without quotes ({@code U....} or {@code Unull}). A line {@code
- * #xxxxxxxx} is the CRC-32 of all full step lines of the game so far. There is one after every {@value #STEPS} steps and
- * before every line of another type, so that no step stays unchecked. Lines of other types are kept.
+ * #xxxxxxxx} is the CRC-32 of all full step lines of the game so far. There is one after every {@value #STEPS} steps
+ * and before every line of another type, so that every step is checked. Lines of other types are kept.
  */
 public final class CompactTraces {
 
@@ -32,7 +32,7 @@ public final class CompactTraces {
     /**
      * Writes the compact form of a full trace file.
      *
-     * @param keeps which games are kept, by their number in the file from 0
+     * @param keeps whether to keep a game, by its number in the file from 0
      */
     public static void pack(Path full, Path compact, IntPredicate keeps) throws IOException {
         try (BufferedWriter out = new BufferedWriter(
@@ -65,7 +65,7 @@ public final class CompactTraces {
         }
     }
 
-    /** The games of a full trace file, each with the line of its rules before it. */
+    /** Returns the games of a full trace file, each preceded by the line of its rules. */
     static List<List<String>> games(Path full, IntPredicate keeps) throws IOException {
         List<List<String>> games = new ArrayList<>();
         String rules = null;
@@ -106,7 +106,7 @@ public final class CompactTraces {
             unwritten++;
         }
 
-        /** The line of the checksum up to here. */
+        /** Returns the line with the checksum so far. */
         String take() {
             unwritten = 0;
             return String.format("#%08x", crc.getValue());

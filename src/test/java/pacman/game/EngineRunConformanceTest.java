@@ -17,7 +17,7 @@ import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 
-/** Scripted runs of the original engine, by checkpoints of the whole state. */
+/** Scripted runs of the original engine, compared at checkpoints of the whole state. */
 @Tag("conformance")
 class EngineRunConformanceTest {
 

@@ -40,7 +40,7 @@ class FairCopiesTest {
         assertThat(new Game(0).rules().copies()).isEqualTo(Copies.ARE_INDEPENDENT);
     }
 
-    /** What a predictor was right about, in one or more games. */
+    /** Counts of a predictor's correct predictions in one or more games. */
     private static final class Record {
         int sueAtJunctions;
         int sueForeseen;
@@ -50,9 +50,9 @@ class FairCopiesTest {
     }
 
     /**
-     * Simulates the next step with Legacy in a copy, and compares the last prediction with what came.
+     * Simulates the next step with Legacy in a copy, and compares the last prediction with the actual step.
      *
-     * <p>The player goes on as StarterPacMan says; {@code prepare} may change the copy before it is used.
+     * <p>The player moves like StarterPacMan; {@code prepare} may change the copy before it is used.
      */
     private static final class Predictor extends Controller<MOVE> {
         private final StarterPacMan player = new StarterPacMan();
@@ -124,7 +124,7 @@ class FairCopiesTest {
         double chance = share(guessing.sueForeseen, guessing.sueAtJunctions);
         double fourDeviations = 4 * Math.sqrt(2 * chance * (1 - chance) / fair.sueAtJunctions);
         assertThat(share(fair.sueForeseen, fair.sueAtJunctions)).isLessThan(chance + fourDeviations);
-        // One step in 200 reverses: foreseeing more than a few of some hundred would be no chance.
+        // Ghosts reverse in one of 200 steps: predicting more than a few of hundreds of reversals would not be chance.
         assertThat(fair.reversalsForeseen).isLessThan(8);
         assertThat(fair.reversalsPredicted).isGreaterThan(100);
     }
@@ -136,7 +136,7 @@ class FairCopiesTest {
         assertThat(continuing.reversalsForeseen).isEqualTo(continuing.reversals);
     }
 
-    /** Tries random futures in copies until it survives one; throws after very many. */
+    /** A controller that tries random futures in copies until it survives one; it throws after very many attempts. */
     private static final class Retrying extends Controller<MOVE> {
         private static final MOVE[] MOVES = MOVE.values();
         private int most;
@@ -172,7 +172,7 @@ class FairCopiesTest {
                 .isGreaterThan(1);
     }
 
-    /** Whether a threat is so near that no future is survived. */
+    /** Whether a threat is so near that Ms. Pac-Man survives in no future. */
     private static boolean cornered(Game game) {
         for (GHOST ghost : GHOST.values()) {
             if (game.getGhostLairTime(ghost) == 0
@@ -229,7 +229,7 @@ class FairCopiesTest {
     }
 
     @Test
-    void exampleThatReadsTheLiveGame_drawsWhatItsCopyWouldDraw() {
+    void exampleThatReadsTheLiveGame_drawsTheNumbersOfACopy() {
         Game copied = new Game(11);
         StarterPacMan player = new StarterPacMan();
         Legacy team = new Legacy();

@@ -12,7 +12,7 @@ import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 
-/** Records games of our own, between scripted players, in the format of the golden traces. */
+/** Records this program's games between scripted players in the format of the golden traces. */
 final class GameRecorder {
 
     private static final String MOVES = "URDLN";
@@ -31,7 +31,7 @@ final class GameRecorder {
         this.lines = lines;
     }
 
-    /** Places for ghosts, at random: what the isolated task's recording looks like. */
+    /** Returns random ghost locations in the form of the isolated task's recording. */
     static GhostLocations ghostLocations() {
         ResumableRandom random = new ResumableRandom(100);
         StringBuilder text = new StringBuilder();
@@ -51,7 +51,7 @@ final class GameRecorder {
 
     private static Map<String, GameRules> allRules() {
         GameRules base = GameRules.blended();
-        // The recorded games were made with copies that continue the game, and are read with these.
+        // The recorded games were made with copies that continue the game.
         GameRules.Copies continuing = GameRules.Copies.CONTINUE_THE_GAME;
         Map<String, GameRules> rules = new LinkedHashMap<>();
         rules.put("competition", GameRules.competition().withCopies(continuing));

@@ -18,7 +18,7 @@ import pacman.controllers.examples.Legacy;
 import pacman.controllers.examples.StarterPacMan;
 import pacman.maze.Mazes;
 
-/** Rules check themselves and say what is wrong. */
+/** Rules are checked, and messages say what is wrong. */
 class GameRulesTest {
 
     @Test

@@ -19,7 +19,7 @@ import pacman.game.Constants.MOVE;
 import pacman.maze.MazeTables;
 import pacman.maze.Mazes;
 
-/** Games by the rules of both frameworks: what copies, restarts, states and levels are. */
+/** Games by the rules of both frameworks: copies, restarts, state strings and levels. */
 class GameTest {
 
     private static final MOVE[] MOVES = MOVE.values();
@@ -33,7 +33,7 @@ class GameTest {
             #############L##############
             """ + "############################\n".repeat(23);
 
-    /** A random step: moves of all kinds, ghosts that come after her. */
+    /** Plays a random step: moves of all kinds, and ghosts that chase Ms. Pac-Man. */
     private static void play(Game game, ResumableRandom random) {
         EnumMap<GHOST, MOVE> ghosts = new EnumMap<>(GHOST.class);
         for (GHOST ghost : GHOST.values()) {
@@ -108,7 +108,7 @@ class GameTest {
     }
 
     @Test
-    void mmneatCopy_forgetsWhatWasEaten() {
+    void mmneatCopy_losesTheRecordOfWhatWasEaten() {
         Game game = new Game(0, GameRules.mmneat());
         while (!game.wasPillEaten()) {
             game.advanceGame(MOVE.LEFT, null);
@@ -168,7 +168,7 @@ class GameTest {
         }
         assertThat(game.getTotalTime()).isEqualTo(Constants.MAX_TIME);
         assertThat(game.getScore()).isEqualTo(score + 3 * Constants.AWARD_LIFE_LEFT);
-        // The check of the level is left out in the step that ends the game.
+        // The step that ends the game does not check the end of the level.
         assertThat(game.getCurrentLevel()).isEqualTo(5);
     }
 

@@ -70,7 +70,7 @@ class GameViewTest {
         assertThat(colour(large, 29, 400)).isEqualTo(Color.BLACK);
     }
 
-    /** Columns and rows in which something is drawn: first and last. */
+    /** Returns the first and last column and row in which something is drawn. */
     private static int[] drawnPart(BufferedImage image) {
         int[] part = {image.getWidth(), image.getHeight(), -1, -1};
         for (int y = 0; y < image.getHeight(); y++) {
@@ -105,7 +105,7 @@ class GameViewTest {
         assertThat(whiteColumns(image, 172, 180)).isZero();
     }
 
-    /** Columns of the line of text in which something is white. */
+    /** Returns the number of columns of the text line that have white pixels. */
     private static long whiteColumns(BufferedImage image, int from, int to) {
         return IntStream.range(from, to)
                 .filter(x -> IntStream.range(262, 274)
@@ -136,7 +136,7 @@ class GameViewTest {
 
     @Test
     void debugPoint_isASquareOfTenPixels_forOnePainting() {
-        // A corridor node without a pill, away from everybody: the one in front of the lair.
+        // A corridor node without a pill, away from all actors: the one in front of the lair.
         int node = game.getGhostInitialNodeIndex();
         int x = 2 * game.getNodeXCoord(node) + 1;
         int y = 2 * game.getNodeYCoord(node) + 5;
@@ -190,7 +190,7 @@ class GameViewTest {
     }
 
     @Test
-    void afterTheLastLevel_theMazeThatEverybodyIsIn_isPainted() {
+    void afterTheLastLevel_theMazeOfTheActors_isPainted() {
         for (int seed = 0; seed < 20; seed++) {
             ResumableRandom random = new ResumableRandom(seed);
             Game ended = new Game(seed, GameRules.isolatedGhosts(seed % 4, GhostLocations.shipped()), random);

@@ -11,10 +11,11 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * The text of a recording of ghost locations in which single places can be blanked, to find those that given games use.
+ * The text of a recording of ghost locations in which single locations can be blanked, to find those that given games
+ * use.
  *
- * <p>Only the situations that count are held, {@value GhostLocations#SITUATIONS} per maze and power pill. A blank place is
- * node 0.
+ * <p>It contains only the observations that are used, {@value GhostLocations#SITUATIONS} per maze and power pill. A
+ * blank location is node 0.
  */
 public final class GhostPlaces {
 
@@ -39,9 +40,9 @@ public final class GhostPlaces {
     }
 
     /**
-     * Marks the places that a game or an evaluation needs.
+     * Marks the locations that a game or an evaluation needs.
      *
-     * @param isRight whether it has the recorded outcome with the given locations
+     * @param isRight whether the outcome with the given locations equals the recorded one
      */
     public void mark(Predicate<GhostLocations> isRight) {
         BitSet kept = new BitSet();
@@ -65,12 +66,12 @@ public final class GhostPlaces {
         }
     }
 
-    /** The number of places that were marked. */
+    /** Returns the number of marked locations. */
     public int marked() {
         return used.cardinality();
     }
 
-    /** Writes the marked places; all others are blank. */
+    /** Writes the marked locations; all others are blank. */
     public void write(Path file) throws IOException {
         Files.writeString(file, text(used));
     }
@@ -97,7 +98,7 @@ public final class GhostPlaces {
         return text.toString();
     }
 
-    /** Marks what the given games of a full trace file need. */
+    /** Marks the locations that the given games of a full trace file need. */
     public void markGames(Path trace, java.util.function.IntPredicate keeps) throws IOException {
         for (List<String> game : CompactTraces.games(trace, keeps)) {
             mark(locations -> {
@@ -116,7 +117,7 @@ public final class GhostPlaces {
         }
     }
 
-    /** Marks what a scripted run of the engine needs. */
+    /** Marks the locations that a scripted run of the engine needs. */
     public void markEngineRun(int corner) {
         mark(locations -> {
             try {

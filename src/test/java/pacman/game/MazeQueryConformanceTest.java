@@ -18,7 +18,7 @@ import pacman.game.Constants.DM;
 import pacman.game.Constants.MOVE;
 import pacman.game.internal.Maze;
 
-/** The original's answers to questions about the four mazes. */
+/** Queries of the four mazes give the original's results. */
 @Tag("conformance")
 class MazeQueryConformanceTest {
 

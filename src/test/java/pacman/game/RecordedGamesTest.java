@@ -16,11 +16,12 @@ import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 
 /**
- * Games that an engine which passed the original's traces recorded: they hold the rules where those traces are missing.
+ * Games recorded by an engine that had passed the original's traces. They check the rules where those traces are not
+ * available.
  *
- * <p>To record them again, after a change of the rules that is meant: {@code mvn test -Dtest=RecordedGamesTest
- * -Drecord=true}. The format is that of the traces: one JSON array per step, and lines for rules, games, whole states, side
- * branches and ends; {@link TracedGame} says which field is which.
+ * <p>To record them again after an intended change of the rules: {@code mvn test -Dtest=RecordedGamesTest
+ * -Drecord=true}. The format is that of the traces: one JSON array per step, and lines for rules, games, whole states,
+ * side branches and ends; {@link TracedGame} describes the fields.
  */
 class RecordedGamesTest {
 

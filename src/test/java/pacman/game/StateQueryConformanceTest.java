@@ -20,7 +20,7 @@ import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 
-/** The original's answers to questions about game states, worked out from the engine's primitives. */
+/** Queries of game states give the original's results, computed from the engine's primitives. */
 @Tag("conformance")
 class StateQueryConformanceTest {
 

@@ -11,8 +11,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.zip.GZIPInputStream;
 
 /**
- * Replays a trace file, full or compact ({@link CompactTraces}), from its recorded inputs and compares every line with what
- * the engine does.
+ * Replays a trace file, full or compact ({@link CompactTraces}), from its recorded inputs, and compares every line with
+ * the engine's.
  */
 final class TraceReplay {
 
@@ -112,7 +112,7 @@ final class TraceReplay {
                 line.get("method").asText(),
                 line.get("pac").asText(),
                 line.get("ghosts").asText());
-        // The original crashes when a restored game, which knows of no power pill, counts an eaten ghost for one. We
+        // The original crashes when a restored game, which has no record of a power pill, counts an eaten ghost. We
         // play on.
         if (!line.has("throws")) {
             assertThat(actual).as(where()).isEqualTo(line);

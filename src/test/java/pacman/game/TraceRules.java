@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import pacman.game.GameRules.Conventions;
 
-/** Rules as a trace file writes them: parameters by their command line names, and switches. */
+/** Reads the rules of a trace file: parameters by their command line names, and switches. */
 final class TraceRules {
 
     /** The names of the switches in a trace file. */

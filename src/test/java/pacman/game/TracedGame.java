@@ -13,14 +13,14 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 
 /**
- * A game whose every step becomes a line of a trace file: what recording writes and what replaying compares.
+ * A game that describes every step as a line of a trace file, for recording and replaying.
  *
- * <p>A step is a JSON array: her request (U R D L, N neutral, - null); the ghosts' requests in ghost order, "." for no entry,
- * or "null" for no map; score, total time, level time, level, maze; her node, last move and lives; per ghost node, edible
- * time, lair time and last move; pills left, CRC-32 of the pills as 0 and 1, the power pills as 0 and 1; time of the last
- * reversal, points for the next ghost, flags of the step (1 she was eaten, 2 pill, 4 power pill, 8 to 64 ghosts), game over,
- * ghosts that require an action (-1 after the end), draws from the game's and from the shared generator, and the
- * situations drawn from the ghost locations, if any.
+ * <p>A step is a JSON array: her request (U R D L, N neutral, - null); the ghosts' requests in ghost order, "." for no
+ * entry, or "null" for no map; score, total time, level time, level, maze; her node, last move and lives; per ghost
+ * node, edible time, lair time and last move; pills left, CRC-32 of the pills as 0 and 1, the power pills as 0 and 1;
+ * time of the last reversal, points for the next ghost, flags of the step (1 she was eaten, 2 pill, 4 power pill, 8 to
+ * 64 ghosts), game over, ghosts that require an action (-1 after the end), draws from the game's and from the shared
+ * generator, and the situations drawn from the ghost locations, if any.
  */
 final class TracedGame {
 
@@ -154,7 +154,7 @@ final class TracedGame {
         throw new AssertionError("the generator did not come from its former state");
     }
 
-    /** The situations drawn from the recording of ghost locations, after the numbers for edible times that ran out. */
+    /** Appends the observations drawn from the ghost locations, after the numbers for edible times that ended. */
     private void appendSituations(StringBuilder line, int timeouts) {
         if (!rules.switches().contains(GameSwitch.LAIR_EXIT_DATABASE)) {
             return;
@@ -215,7 +215,7 @@ final class TracedGame {
         }
     }
 
-    /** The counters at the end, asked for in the order in which the trace lists them. */
+    /** Returns the counters at the end, computed in the order of the trace. */
     ObjectNode end(int steps, int levels) {
         ObjectNode end = JSON.createObjectNode()
                 .put("type", "end")

@@ -62,7 +62,7 @@ class MazeDrawingTest {
     }
 
     @Test
-    void mazeOfOnesOwn_isPlayed(@TempDir Path folder) throws IOException {
+    void userMaze_isPlayed(@TempDir Path folder) throws IOException {
         Path file = folder.resolve("fifth.txt");
         Files.writeString(file, "; my maze\n\n" + text(fifthMaze()));
         MazeTables tables = MazeTables.read(file);
@@ -78,7 +78,7 @@ class MazeDrawingTest {
     }
 
     @Test
-    void mazeOfOnesOwn_hasPathsBetweenAllNodes() {
+    void userMaze_hasPathsBetweenAllNodes() {
         MazeTables tables = MazeTables.parse("fifth.txt", text(fifthMaze()));
         MazeGraph graph = tables.graph();
         for (int from = 0; from < graph.lair(); from++) {

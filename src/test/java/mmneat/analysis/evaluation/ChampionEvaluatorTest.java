@@ -235,7 +235,7 @@ class ChampionEvaluatorTest {
     }
 
     @Test
-    void networkOfAnotherVersion_isAnErrorThatSaysWhatToDo() {
+    void networkOfAnotherVersion_isAnErrorWithAdvice() {
         Champion champion = Champion.read(run);
         assertThatThrownBy(() -> PlayerSettings.of(
                         champion, Optional.of(TaskVersion.INTERLEAVED), Rules.TRAINING, Optional.empty()))

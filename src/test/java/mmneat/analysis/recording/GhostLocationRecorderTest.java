@@ -77,7 +77,7 @@ class GhostLocationRecorderTest {
     }
 
     @Test
-    void recorder_saysWhatIsMissing_untilItIsComplete() {
+    void recorder_reportsMissingObservations_untilItIsComplete() {
         GhostLocationRecorder recorder = new GhostLocationRecorder(BLENDED, champion, 1, 0);
         assertThat(recorder.missing()).startsWith("maze 0 power pill 0 (0 of 1), maze 0 power pill 1 (0 of 1)");
         assertThat(recorder.scarcestPowerPill()).isEqualTo("maze 0 power pill 0 (0 of 1)");
@@ -108,7 +108,7 @@ class GhostLocationRecorderTest {
     }
 
     @Test
-    void noSituationWanted_isRefused() {
+    void noObservationRequested_isRefused() {
         assertThatThrownBy(() -> new GhostLocationRecorder(BLENDED, champion, 0, 0))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("at least 1");

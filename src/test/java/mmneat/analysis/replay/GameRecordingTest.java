@@ -46,7 +46,7 @@ class GameRecordingTest {
     }
 
     @Test
-    void shadowNetworks_wantWhatThePlayerWants_inEveryStep() {
+    void independentActivations_chooseThePlayersMove_inEveryStep() {
         for (int seed = 0; seed < 5; seed++) {
             Genotype genotype = network(seed, ModuleLayout.withPreferenceNeurons(2, 1));
             ReplayNetwork picture = NetworkPicture.of(genotype, ChampionLabels.of(BLENDED, genotype.layout()));
@@ -205,7 +205,7 @@ class GameRecordingTest {
     }
 
     @Test
-    void modulesOfADivision_bearTheirSituation() {
+    void modulesOfADivision_areNamedByTheirObservation() {
         MsPacManTaskSettings settings = PlayerSettings.of(
                 new Champion(network(1, ModuleLayout.multitask(3, 1)), Path.of("mt3.json"), Optional.empty(), Map.of()),
                 Optional.of(TaskVersion.BLENDED),

@@ -227,7 +227,7 @@ class ReplayPageTest {
     }
 
     @Test
-    void recording_unpackedInTheBrowser_holdsWhatWasRecorded() {
+    void recording_unpackedInTheBrowser_equalsTheRecordedGame() {
         assertThat(browser.evaluate("[...player.recording.column.node]")
                         .get(LAST)
                         .asInt())

@@ -99,7 +99,7 @@ class EvaluationReadingTest {
     }
 
     @Test
-    void oneGame_saysNothingOfDeviations_alsoIfAnEarlierProgramWroteZero() throws IOException {
+    void oneGame_hasNoDeviation_evenIfAnEarlierProgramWroteZero() throws IOException {
         String zeros = WHOLE.replace("10,", "1,")
                 .replace(":3.0", ":0.0")
                 .replace("98.0", "100.5")

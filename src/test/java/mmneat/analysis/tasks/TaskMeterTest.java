@@ -67,7 +67,7 @@ class TaskMeterTest {
     }
 
     @Test
-    void interleavedVersion_staysBelowThePapersBound_whoeverPlays() {
+    void interleavedVersion_staysBelowThePapersBound_forEveryPlayer() {
         List<Supplier<Controller<MOVE>>> players = List.of(
                 champion("interleaved"),
                 champion("blended"),

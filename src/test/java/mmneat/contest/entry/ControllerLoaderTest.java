@@ -18,12 +18,15 @@ import pacman.controllers.examples.NearestPillPacMan;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Entries of others are found, and play our game. */
+/** Competition entries are found and play our game. */
 class ControllerLoaderTest {
 
     private static final String OUR_CLASSES = System.getProperty("java.class.path");
 
-    /** Heads for the nearest pill, in any package, against any copy of the interface. */
+    /**
+     * Returns the source of an entry that heads for the nearest pill, in a given package and with a given copy of the
+     * interface.
+     */
     private static String entry(String packageLine, String api, String className) {
         return packageLine
                 + "import " + api + "controllers.Controller;"
@@ -107,7 +110,7 @@ class ControllerLoaderTest {
                 .isInstanceOf(Legacy.class);
     }
 
-    /** A copy of the interface in another package, as far as the entry needs it. */
+    /** Returns the sources of a copy of the interface in another package, as far as the entry needs it. */
     private static String[] copiedInterface(String root) {
         String unsupported = "{ throw new UnsupportedOperationException(); }";
         return new String[] {
@@ -135,7 +138,7 @@ class ControllerLoaderTest {
                 copy[2],
                 entry("package edu.example.pacman.entries;", "edu.example.pacman.", "Entry"));
         assertPlaysAsNearestPillPacMan(classes, "edu.example.pacman.entries.Entry");
-        // The copy itself may be missing: only its name counts.
+        // The copy itself may be missing: only its name matters.
         try (var copies = Files.walk(classes.resolve("edu/example/pacman/game"))) {
             for (Path file : copies.filter(Files::isRegularFile).toList()) {
                 Files.delete(file);
@@ -179,7 +182,7 @@ class ControllerLoaderTest {
     }
 
     @Test
-    void staticInitialiserThatThrows_isNamedWithWhatItThrew() throws IOException {
+    void staticInitialiserThatThrows_isNamedWithItsException() throws IOException {
         Path classes = compiled(
                 "public class Static extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
                         + " static int size = Integer.parseInt(\"x\");"

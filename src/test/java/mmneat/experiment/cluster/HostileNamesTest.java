@@ -26,8 +26,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Values that mean something to a shell, a scheduler or YAML: in the job files of every engine they arrive at the program
- * exactly as they were typed, or the job file is not written at all.
+ * Values with special characters of shells, schedulers or YAML: with the job files of every scheduler they reach the
+ * program exactly as typed, or the job file is refused.
  */
 @EnabledIf(value = "hasBash", disabledReason = "this machine has no bash")
 class HostileNamesTest {
@@ -205,7 +205,7 @@ class HostileNamesTest {
                 .isInstanceOf(UserError.class);
     }
 
-    /** The value in a word, in the name of the experiment and in its folder. */
+    /** Returns a job with the value in a word, in the name of the experiment and in its folder. */
     private ExperimentJob job(String value) {
         return new ExperimentJob(
                 "n" + value,
@@ -253,7 +253,10 @@ class HostileNamesTest {
         return Arrays.asList(written.split("\0", -1));
     }
 
-    /** The options in the lines of a script, read by Slurm's rules: quotes of both kinds, a backslash before any sign. */
+    /**
+     * Reads the options in the lines of a script by Slurm's rules: both kinds of quotes, and a backslash before any
+     * character.
+     */
     private static List<String> slurmOptions(String script) {
         return script.lines()
                 .filter(line -> line.startsWith("#SBATCH "))
@@ -282,13 +285,18 @@ class HostileNamesTest {
         return word.toString();
     }
 
-    /** Kubernetes' rule: two dollar signs are one, {@code $(NAME)} is a variable, anything else stands for itself. */
+    /**
+     * Applies Kubernetes' rule: two dollar signs become one, {@code $(NAME)} is a variable, everything else is literal.
+     */
     private static String kubernetesExpansion(String text) {
         Matcher sign = Pattern.compile("\\$\\$|\\$\\([^)]*\\)").matcher(text);
         return sign.replaceAll(found -> found.group().equals("$$") ? "\\$" : "EXPANDED");
     }
 
-    /** The values of a submit file, read by HTCondor's rules: lines go on behind a backslash, values are trimmed and expanded. */
+    /**
+     * Reads the values of a submit file by HTCondor's rules: lines continue after a backslash, values are trimmed and
+     * expanded.
+     */
     private static Map<String, String> condorLines(String file) {
         Map<String, String> values = new java.util.HashMap<>();
         List<String> lines = file.replace("\\\n", "").lines().toList();

@@ -31,7 +31,7 @@ class JobFilesTest {
     }
 
     @Test
-    void slurmScript_asksForWhatTheRunNeeds_andNamesTheUnfinishedRuns() {
+    void slurmScript_requestsResources_andNamesTheUnfinishedRuns() {
         String script = SlurmScript.of(job(List.of(0, 1, 2, 5, 7, 8)), RESOURCES, Map.of("partition", "long"));
 
         assertThat(script.lines())

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The script in a real bash, with a Java and a scontrol of the test's own that say what they were asked. */
+/** The script in a real bash, with fake java and scontrol programs that record their arguments. */
 @EnabledIf(value = "hasBash", disabledReason = "this machine has no bash")
 class SlurmScriptBehaviourTest {
 
@@ -77,7 +77,7 @@ class SlurmScriptBehaviourTest {
     @ParameterizedTest
     @CsvSource({"USR1, true", "TERM, false"})
     void signal_reachesTheRun_andOnlyTheTimeLimitQueuesItAgain(String signal, boolean queuedAgain) throws Exception {
-        // Saves for a moment when told to leave, as a run does.
+        // Takes a moment to save when terminated, like a run.
         program(
                 "java",
                 "trap 'read -r -t 0.3 <> <(:); exit 143' TERM; echo ready; while :; do read -r -t 0.1 <> <(:); done");

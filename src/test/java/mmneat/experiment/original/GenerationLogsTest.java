@@ -11,7 +11,7 @@ import mmneat.neat.variation.InitialNetworks;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Logs of which golden runs show a part only. Source: docs/specification/evolution.md, section 5.2. */
+/** Logs that the golden runs only cover in part. Source: docs/specification/evolution.md, section 5.2. */
 class GenerationLogsTest {
 
     private static Individual individual(int modules, double score, Outcomes outcomes, long milliseconds) {

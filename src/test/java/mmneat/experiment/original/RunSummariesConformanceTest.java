@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Summaries of two runs are what the original made of them: golden/logs. Both runs had the same seed. */
+/** Summaries of two runs equal the original's: golden/logs. Both runs had the same seed. */
 @Tag("conformance")
 class RunSummariesConformanceTest {
 
@@ -56,9 +56,9 @@ class RunSummariesConformanceTest {
         requireSame("P-MMDAVG_parents_genHV.txt");
     }
 
-    /** The original lost the last row of run 0 just before; ours has it. */
+    /** The original had lost the last row of run 0; our summary includes it. */
     @Test
-    void averages_areTheOriginals_andHaveTheRowItLost() throws IOException {
+    void averages_equalTheOriginals_andHaveTheRowItLost() throws IOException {
         for (String name : List.of("P-MMDAVG_parents_log.txt", "P-MMDAVG_TWEANNData_log.txt")) {
             List<String> expected = Files.readAllLines(golden.resolve(name));
             List<String> lines = Files.readAllLines(base.resolve(name));
@@ -75,7 +75,7 @@ class RunSummariesConformanceTest {
         requireSame("P-MMDAVG_Performance_log.plot");
     }
 
-    /** The times of the second run are not recorded; their means and variances tell them for the first columns. */
+    /** The times of the second run are not recorded. For the first columns they follow from the means and variances. */
     @Test
     void variance_isThatOfTheSample() throws IOException {
         double[] times = numbers(

@@ -29,16 +29,16 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
- * Accepted means equal: every parameter of the original that is accepted with a value that none of the sixteen configurations has
- * is part of a recorded run with such a value, or of a list that gives the reason.
+ * Every accepted parameter gives the original's results. If a parameter of the original is accepted with a value that
+ * none of the sixteen configurations has, a recorded run has such a value, or a list here gives the reason.
  */
 @Tag("conformance")
 class AcceptedParametersTest {
 
-    /** Any other value: for parameters whose values cannot be listed. */
+    /** Stands for any other value of parameters whose values cannot be listed. */
     private static final String ANY = "*";
 
-    /** Names of files. */
+    /** Parameters that do not affect results, such as file names. */
     private static final Set<String> NO_MATTER_OF_EQUALITY =
             Set.of("base", "saveTo", "log", "mazePowerPillGhostMapping");
 
@@ -57,7 +57,10 @@ class AcceptedParametersTest {
         }
     }
 
-    /** The values of the sixteen configurations by name; a parameter that one of them does not name has its default there. */
+    /**
+     * Returns the values of the sixteen configurations by name, including the defaults of parameters that a
+     * configuration does not name.
+     */
     private Map<String, Set<String>> valuesOfTheSixteen() throws IOException {
         JsonNode configurations = new ObjectMapper()
                 .readTree(GoldenData.folder("parameters")
@@ -117,7 +120,7 @@ class AcceptedParametersTest {
                     ? List.of("true", "false")
                     : parameter.allowed().choices();
             if (choices.isEmpty()) {
-                // Several values among the sixteen are recorded, too.
+                // Parameters with several values in the sixteen configurations are also recorded.
                 if (seen.isEmpty() && sixteen.get(name).size() == 1 && parameter.type() != ParameterType.TEXT) {
                     missing.add(ANY);
                 }

@@ -15,7 +15,7 @@ import mmneat.mspacman.sensors.SensorSuite;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Sensors of a user's own, in a jar and on the class path; OwnTask's are tested with the experiments. */
+/** A user's sensors, in a jar and on the class path. A user's tasks are tested with the experiments. */
 class OwnClassesTest {
 
     @TempDir
@@ -34,7 +34,7 @@ class OwnClassesTest {
         }
     }
 
-    /** A sensor that cannot be made. */
+    /** A sensor whose constructor fails. */
     public static final class Broken extends Always {
         public Broken() {
             throw new IllegalStateException("no day for sensing");

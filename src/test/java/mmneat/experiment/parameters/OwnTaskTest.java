@@ -26,10 +26,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a user's task must be before a run begins. */
+/** The checks of a user's task before a run starts. */
 class OwnTaskTest {
 
-    /** A task of the shape that its parameters say; by default it has one of everything. */
+    /** A task whose parameters set the numbers of its inputs, outputs and objectives; each is 1 by default. */
     public static final class Shaped implements Task {
         private final Map<String, String> parameters;
 
@@ -41,7 +41,7 @@ class OwnTaskTest {
             return Integer.parseInt(parameters.getOrDefault(name, "1"));
         }
 
-        /** A line break behind names of the kind that the parameter {@code nasty} says. */
+        /** Returns a line break for names of the kind that the parameter {@code nasty} selects, else the empty text. */
         private String nasty(String kind) {
             return parameters.getOrDefault("nasty", "").equals(kind) ? "\n2" : "";
         }
@@ -153,7 +153,7 @@ class OwnTaskTest {
     }
 
     @Test
-    void fileOfARun_isRemarkedUpon_onlyForWhatSomebodyAskedFor(@TempDir Path folder) throws IOException {
+    void fileOfARun_givesRemarks_onlyForValuesThatAreNotDefaults(@TempDir Path folder) throws IOException {
         RunPlan plain = ExperimentPlan.of(read("mu=7").parameters()).runs().get(0);
         new RunParametersFile(folder).write(plain.parameters());
         String config = "config=" + folder.resolve("parameters.properties");

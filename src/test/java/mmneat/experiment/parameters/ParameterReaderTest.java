@@ -147,9 +147,9 @@ class ParameterReaderTest {
                 .containsExactly("1M", "2M", "3M", "MMD", "MT");
     }
 
-    /** The library's presets say the same as the files of the published configurations. */
+    /** The library's presets equal the files of the published configurations. */
     @Test
-    void presetsOfTheTask_areThePublishedConfigurations() {
+    void presetsOfTheTask_equalThePublishedConfigurations() {
         for (MsPacManTaskSettings preset : List.of(
                 MsPacManTaskSettings.blended(),
                 MsPacManTaskSettings.interleaved(),
@@ -168,7 +168,7 @@ class ParameterReaderTest {
         }
     }
 
-    /** However the parameters are written, they are the version and method that they were asked for as. */
+    /** Version and method are recognised from the values, however the parameters are written. */
     @Test
     void versionAndMethod_areReadBackFromTheValues() {
         for (TaskVersion version : TaskVersion.values()) {
@@ -193,7 +193,7 @@ class ParameterReaderTest {
     }
 
     @Test
-    void badValue_namesParameterValueAndWhatIsAllowed() {
+    void badValue_namesParameterValueAndAllowedValues() {
         assertMistake("mu=many: must be a whole number from 1 to 100000", "task=blended", "mu=many");
         assertMistake("mu=0: must be a whole number from 1 to 100000", "task=blended", "mu=0");
         assertMistake("crossoverRate=1.5: must be a number from 0.0 to 1.0", "task=blended", "crossoverRate=1.5");
@@ -210,7 +210,7 @@ class ParameterReaderTest {
     }
 
     @Test
-    void mistakeInAFile_saysWhichFile(@TempDir Path folder) throws IOException {
+    void errorInAFile_namesTheFile(@TempDir Path folder) throws IOException {
         Path config = folder.resolve("mine.properties");
         Files.writeString(config, "task=blended\nmu=-1\n");
         assertMistake("mine.properties: mu=-1: must be", "config=" + config);
@@ -245,13 +245,13 @@ class ParameterReaderTest {
     }
 
     @Test
-    void task_missingOrUnknown_saysWhichThereAre() {
+    void task_missingOrUnknown_listsTheTasks() {
         assertMistake("task is missing; give it as task=blended|interleaved|isolated", "mu=3");
         assertMistake("task=blend: must be one of blended, interleaved, isolated", "task=blend");
     }
 
     @Test
-    void method_ofAnotherTask_saysWhichGoWithThisOne() {
+    void method_ofAnotherTask_namesTheMethodsOfThisTask() {
         assertMistake("its methods are 1M, 2M, 3M, MMD, MT2, MT3", "task=blended", "method=MT");
     }
 
@@ -292,7 +292,7 @@ class ParameterReaderTest {
     }
 
     @Test
-    void modesOfTheOriginalsFirstArgument_sayWhatTheyAreHere() {
+    void modesOfTheOriginalsFirstArgument_nameTheirReplacements() {
         assertMistake("runs=30", "multiple:30", "task=blended");
         assertMistake("use the command 'process'", "process:30");
         assertMistake("use the command 'process'", "hv:30");

@@ -33,7 +33,7 @@ class ParametersConformanceTest {
             String value = fields[1].equals("class") ? simpleName(fields[2]) : fields[2];
             expected.put(fields[0], fields[1] + " " + value);
         }
-        // The one deliberate difference (docs/fidelity.md): as many threads as there are cores.
+        // The only deliberate difference (docs/fidelity.md): the number of threads is the number of cores.
         assertThat(expected.replace("threads", "integer 0")).isEqualTo("integer 4");
 
         Map<String, String> ours = new TreeMap<>();
@@ -57,7 +57,7 @@ class ParametersConformanceTest {
             ParameterWord word = ParameterWord.original(argument);
             assertThat(word.name()).as(argument).isEqualTo(parameter.name());
             if (example.has("throws")) {
-                // The original ends with an exception; here it is an error that says what is allowed.
+                // The original fails with an exception; here the error names the allowed values.
                 assertThatThrownBy(() -> word.canonicalFor(parameter))
                         .as(argument)
                         .isInstanceOf(UserError.class)
@@ -77,7 +77,7 @@ class ParametersConformanceTest {
         assertThat(read).isEqualTo(23);
     }
 
-    /** The parser alone, before ranges are looked at, as the examples were made. */
+    /** Only the parser, without checks of ranges, as for the recorded examples. */
     private static String readOriginal(ParameterWord word, Parameter parameter) {
         Parameter anyValue = new Parameter(
                 parameter.name(),
@@ -131,7 +131,7 @@ class ParametersConformanceTest {
             });
             differing.remove("method");
             if (task.equals("isolated")) {
-                // The path on the published command line is the user's own.
+                // The path on the published command line is specific to its author.
                 differing.remove("mazePowerPillGhostMapping");
             }
             assertThat(differing).as("%s %s", task, method).isEmpty();

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
-/** docs/parameters.md says what the catalogue says. */
+/** docs/parameters.md agrees with the catalogue. */
 class ParametersPageTest {
 
     private static final Path PAGE = Path.of("docs", "parameters.md");

@@ -66,7 +66,7 @@ class PropertiesFileTest {
                 "\\u0041",
                 "M\u00fchle \ud83d\ude00"
             })
-    void whatIsWritten_isReadAgain(String value) {
+    void writtenValues_areReadBack(String value) {
         Map<String, String> values = new TreeMap<>(Map.of("base", value, "mu", "3"));
         assertThat(PropertiesFile.read(PropertiesFile.write(values, "comment"))).isEqualTo(values);
     }

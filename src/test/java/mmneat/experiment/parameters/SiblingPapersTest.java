@@ -19,11 +19,11 @@ import mmneat.mspacman.TaskVersion;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** The files of the experiments of other papers say what the original's command lines say. */
+/** The configurations of experiments of other papers equal the original's command lines. */
 @Tag("conformance")
 class SiblingPapersTest {
 
-    /** What differs from one run to the next, and the sizes that the recorded runs reduced. */
+    /** Parameters that differ between runs, and sizes that were reduced for the recorded runs. */
     private static final Set<String> OF_THE_RUN = Set.of(
             "config", "runNumber", "randomSeed", "base", "saveTo", "log", "mu", "maxGens", "trials", "io", "netio");
 

@@ -20,8 +20,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A run in which the archetype is cleaned several times, stopped and continued after every generation, just before and just
- * after each cleaning too. Source: docs/specification/evolution.md, section 3.3.
+ * A run in which the archetype is cleaned several times. The run is stopped and continued after every generation,
+ * including those just before and just after a cleaning. Source: docs/specification/evolution.md, section 3.3.
  */
 class ArchetypeCleaningRunTest {
 
@@ -32,7 +32,7 @@ class ArchetypeCleaningRunTest {
     Path folder;
 
     @Test
-    void cleanedArchetype_holdsWhatIsUsed_andARunStoppedAroundCleaningsIsAsIfNeverStopped() throws Exception {
+    void cleanedArchetype_holdsUsedEntries_andARunStoppedAroundCleaningsContinuesExactly() throws Exception {
         run("whole", GENERATIONS);
         Archetype.State before = null;
         int removed = 0;
@@ -60,7 +60,7 @@ class ArchetypeCleaningRunTest {
                 .isEqualTo(ExperimentRunnerTest.content(folder.resolve("whole/MMD0")));
     }
 
-    /** What is not used is a shadow, and its neuron is still there. */
+    /** Checks that every unused entry is a shadow whose neuron still exists. */
     private static void requireClean(Archetype.State archetype, Set<Long> used) {
         List<Long> present = innovations(archetype);
         Map<Long, Long> neurons = archetype.shadows().entrySet().stream()

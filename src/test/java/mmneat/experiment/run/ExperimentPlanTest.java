@@ -98,7 +98,7 @@ class ExperimentPlanTest {
             RunPlan run = plan(words).runs().get(0);
             RunParametersFile file = new RunParametersFile(folder);
             file.write(run.parameters());
-            // Code of the user's own is named on the command line, whatever the file says.
+            // A user's code must be named on the command line, even if the file names it.
             List<String> named = new ArrayList<>(List.of("config=" + folder.resolve("parameters.properties")));
             Stream.of(words).filter(word -> word.startsWith("jar=")).forEach(named::add);
             RunPlan again = plan(named.toArray(String[]::new)).runs().get(0);

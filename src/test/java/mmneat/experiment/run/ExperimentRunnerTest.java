@@ -54,7 +54,7 @@ class ExperimentRunnerTest {
         return new ExperimentRunner(plan(base, words)).run();
     }
 
-    /** The content of a run's files, without those that hold times or where the run is. */
+    /** Returns the content of a run's files, except those with times or paths. */
     static Map<String, String> content(Path run) throws IOException {
         Map<String, String> content = new TreeMap<>();
         try (Stream<Path> files = Files.walk(run)) {
@@ -157,7 +157,7 @@ class ExperimentRunnerTest {
             ExperimentRunner experiment = new ExperimentRunner(
                     plan("halted", "maxGens=12", "method=MMD", "checkpointEvery=" + checkpointEvery));
             Future<List<RunOutcome>> running = other.submit(experiment::run);
-            // Halts a little later in each session; wherever that is, the next one has to go on.
+            // Each session is stopped slightly later. The next session must continue from any point.
             long end = System.nanoTime() + session * session * 2_000_000L;
             while (System.nanoTime() < end) {
                 Thread.onSpinWait();
@@ -175,7 +175,7 @@ class ExperimentRunnerTest {
     }
 
     @Test
-    void unforcedFilesThatAFailingMachineLost_areMadeAgain_theSame() throws Exception {
+    void unsyncedFilesLostByAFailingMachine_areMadeAgain_theSame() throws Exception {
         run("whole", "maxGens=30", "method=MMD");
         ExperimentRunner experiment =
                 new ExperimentRunner(plan("stopped", "maxGens=30", "method=MMD", "checkpointEvery=1"));
@@ -203,10 +203,10 @@ class ExperimentRunnerTest {
             Path damaged = folder.resolve("damaged" + loss + "/MMD0");
             copy(stopped, damaged);
             for (String file : files) {
-                // Of a log a failure takes what was added since it was forced.
+                // A failure loses the part of a log that was appended since the last sync.
                 UnsyncedFiles.Stretch stretch = checkpoint.unsynced().get(file);
-                int forced = stretch == null ? 0 : (int) stretch.from();
-                byte[] left = losses(Files.readAllBytes(stopped.resolve(file)), forced)
+                int synced = stretch == null ? 0 : (int) stretch.from();
+                byte[] left = losses(Files.readAllBytes(stopped.resolve(file)), synced)
                         .get(loss);
                 Files.write(damaged.resolve(file), left);
             }
@@ -215,10 +215,13 @@ class ExperimentRunnerTest {
         }
     }
 
-    /** What may be left of a file: nothing, half of what was not synced to the disk, or zeros in place of it. */
-    private static List<byte[]> losses(byte[] content, int forced) {
-        byte[] zeros = Arrays.copyOf(Arrays.copyOf(content, forced), content.length);
-        return List.of(Arrays.copyOf(content, forced), Arrays.copyOf(content, (forced + content.length) / 2), zeros);
+    /**
+     * Returns what a failure may leave of a file: without the unsynced part, with half of it, or with zeros instead of
+     * it.
+     */
+    private static List<byte[]> losses(byte[] content, int synced) {
+        byte[] zeros = Arrays.copyOf(Arrays.copyOf(content, synced), content.length);
+        return List.of(Arrays.copyOf(content, synced), Arrays.copyOf(content, (synced + content.length) / 2), zeros);
     }
 
     private static void copy(Path from, Path to) throws IOException {
@@ -274,7 +277,7 @@ class ExperimentRunnerTest {
     }
 
     @Test
-    void status_fromTheFilesAlone_showsWhatIsDoneAndWhatWaits() throws Exception {
+    void status_fromTheFilesAlone_showsFinishedAndWaitingRuns() throws Exception {
         run("seen", "runs=2", "maxGens=2");
         ExperimentView.recordAsked(plan("seen", "runs=4", "maxGens=2"));
         List<ExperimentView> experiments = ExperimentView.readAll(folder, Instant.now());
@@ -289,7 +292,7 @@ class ExperimentRunnerTest {
         assertThat(seen.best()).isPresent();
     }
 
-    /** Breaks in the second generation. */
+    /** A task that fails in the second generation. */
     public static final class BreakingTask extends SmallTask {
         private int evaluations;
 

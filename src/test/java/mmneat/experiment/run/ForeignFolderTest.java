@@ -31,8 +31,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Folders that another program made or a user changed: a run continues from what is whole, or is refused in one line, and no file
- * outside of the folder changes.
+ * Folders that another program made or a user changed: a run continues from an undamaged state, or is refused in one
+ * line. No file outside of the folder changes.
  */
 class ForeignFolderTest {
 
@@ -44,7 +44,7 @@ class ForeignFolderTest {
     private Path folder;
     private Path outside;
 
-    /** A change by hand of a checkpoint. */
+    /** A manual change of a checkpoint. */
     record Edit(String name, Consumer<ObjectNode> change) {
         @Override
         public String toString() {
@@ -285,7 +285,10 @@ class ForeignFolderTest {
                 .get(0);
     }
 
-    /** The run is refused before it begins or as its outcome, in one line; nothing in the folder or beside it changes. */
+    /**
+     * Checks that the run is refused in one line, before it starts or in its outcome, and that no file in the folder or
+     * beside it changes.
+     */
     private void requireRefused(String reason) throws Exception {
         Map<String, String> before = files();
         try {
@@ -300,7 +303,7 @@ class ForeignFolderTest {
         assertThat(outside).hasContent("years of work");
     }
 
-    /** All files below the base by name, with their content; links with where they lead to. */
+    /** Returns the content of all files below the base by name; for links, their targets. */
     private Map<String, String> files() throws IOException {
         Map<String, String> files = new TreeMap<>();
         try (Stream<Path> all = Files.walk(base)) {

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import pacman.game.GhostLocations;
 
-/** An isolated run needs nothing but its folder. */
+/** An isolated run only needs its folder. */
 class GhostLocationsCopyTest {
 
     @TempDir
@@ -29,7 +29,7 @@ class GhostLocationsCopyTest {
     private Path recording;
 
     @BeforeEach
-    void recordingOfOnesOwn() throws IOException {
+    void userRecording() throws IOException {
         recording = Files.writeString(folder.resolve("mine.txt"), GhostLocations.shippedText() + "\n");
     }
 

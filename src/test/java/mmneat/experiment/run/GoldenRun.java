@@ -33,14 +33,14 @@ public record GoldenRun(Path folder) {
                         : word);
     }
 
-    /** The same for runs 0 to {@code runs - 1}, all at the same time, each with its number as seed. */
+    /** As {@link #commandLine}, for runs 0 to {@code runs - 1} in parallel, each with its number as seed. */
     Stream<String> besideOthers(Path base, int runs) throws IOException {
         Stream<String> common =
                 commandLine(base).filter(word -> !word.startsWith("runNumber:") && !word.startsWith("randomSeed:"));
         return Stream.concat(common, Stream.of("runs=" + runs, "threads=" + runs));
     }
 
-    /** Carries out a command line; every run must be completed. */
+    /** Executes a command line, and checks that every run is completed. */
     public static void run(Stream<String> words) throws InterruptedException {
         ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
         ExperimentPlan plan = ExperimentPlan.of(reader.read(words.toList()).parameters());
@@ -49,19 +49,19 @@ public record GoldenRun(Path folder) {
                         assertThat(outcome.isComplete()).as(outcome.message()).isTrue());
     }
 
-    /** Compares each recorded file with the one that our run wrote below {@code base}. */
+    /** Compares each recorded file with that of our run below {@code base}. */
     void requireSameFiles(Path base) throws IOException {
         counterparts(base).forEach((recorded, ours) -> requireSame(ours, recorded));
     }
 
-    /** Replaces each recorded file by the one that our run wrote below {@code base}. */
+    /** Replaces each recorded file by that of our run below {@code base}. */
     public void replaceFiles(Path base) throws IOException {
         for (Map.Entry<Path, Path> file : counterparts(base).entrySet()) {
             Files.copy(file.getValue(), file.getKey(), StandardCopyOption.REPLACE_EXISTING);
         }
     }
 
-    /** Our run's file for each recorded file. */
+    /** Returns our run's file for each recorded file. */
     private Map<Path, Path> counterparts(Path base) throws IOException {
         Path ours =
                 base.resolve(Files.readString(folder.resolve("directory.txt")).strip());

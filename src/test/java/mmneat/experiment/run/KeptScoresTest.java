@@ -24,7 +24,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Runs of a deterministic task: kept scores, and an end at a score. */
+/** Runs of a deterministic task: kept scores, and the end at a given score. */
 class KeptScoresTest {
 
     private static final AtomicInteger EVALUATIONS = new AtomicInteger();

@@ -28,17 +28,17 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Runs that fail, are interrupted, or are asked for what cannot be. */
+/** Runs that fail, are interrupted, or have impossible parameters. */
 class RunEndTest {
 
     private static final int MU = 3;
 
-    /** What happens in evaluations, by their number in this process, and when a champion's score is asked for. */
+    /** The action of an evaluation, by its number in this process, and of a call for a champion's score. */
     private static volatile Evaluating evaluating;
 
     private static volatile Runnable scoring;
 
-    /** The evaluation that gives no number. */
+    /** The number of the evaluation that returns NaN. */
     private static volatile int withoutScore;
 
     @TempDir
@@ -48,7 +48,7 @@ class RunEndTest {
         void begin(int evaluation);
     }
 
-    /** A task to which things happen. */
+    /** A task whose evaluations perform the actions of a test. */
     public static final class EventfulTask extends SmallTask {
         private int evaluations;
 
@@ -102,7 +102,7 @@ class RunEndTest {
         return RunStatus.read(folder.resolve("1M0")).orElseThrow();
     }
 
-    /** Lets evaluations fail when so many generations are complete. */
+    /** Makes evaluations fail after this number of complete generations. */
     private static void failAfter(int generations) {
         evaluating = evaluation -> {
             if (evaluation >= 2 * MU * generations) {
@@ -127,7 +127,7 @@ class RunEndTest {
     void failureWithoutTheLock_leavesTheStatusAlone() throws Exception {
         run("maxGens=2");
         String before = Files.readString(file("status.json"));
-        // No lock can be made or read here.
+        // A lock can neither be created nor read here.
         Files.createDirectory(file("lock.json"));
         RunOutcome outcome = run("maxGens=3");
         assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.FAILED);
@@ -228,7 +228,7 @@ class RunEndTest {
             while (!Thread.currentThread().isInterrupted()) {
                 Thread.onSpinWait();
             }
-            // An evaluation need not heed an interruption at once.
+            // An evaluation may react to an interruption late.
             long end = System.nanoTime() + 300_000_000L;
             while (System.nanoTime() < end) {
                 Thread.onSpinWait();
@@ -252,7 +252,7 @@ class RunEndTest {
 
     @Test
     void interruptionInTheMidstOfWriting_isAStop_andTheRunGoesOn() throws Exception {
-        // Asked for in each generation when its row is written.
+        // Called in each generation when its row is written.
         scoring = () -> Thread.currentThread().interrupt();
         RunOutcome stopped = run("maxGens=3");
         assertThat(stopped.phase()).isEqualTo(RunMonitor.Phase.STOPPED);

@@ -31,7 +31,7 @@ import mmneat.nsga2.ParentSelection;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Which files a run writes, and that they stay what they were when they were recorded. */
+/** The files that a run writes: their names, and their contents compared with recorded checksums. */
 class RunFilesTest {
 
     private static final String PREFIX = "Schaffer0_";

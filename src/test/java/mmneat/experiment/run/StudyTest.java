@@ -12,7 +12,7 @@ import mmneat.experiment.parameters.ParameterReader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Several experiments that are asked for in one go. */
+/** Studies: several experiments in one command. */
 class StudyTest {
 
     private static Study study(String... words) {
@@ -57,7 +57,7 @@ class StudyTest {
                         "blended-1M", "blended-2M", "interleaved-1M", "interleaved-2M", "isolated-1M", "isolated-2M");
         for (Study.Part part : study.parts()) {
             assertThat(part.plan().parameters().integer("mu")).isEqualTo(7);
-            // The words alone describe the part: each job is given them.
+            // The words describe the part completely, because each job receives only them.
             assertThat(names(Study.of(part.words(), ParameterCatalogue.load())))
                     .containsExactly(part.plan().name());
         }
@@ -86,13 +86,13 @@ class StudyTest {
     }
 
     @Test
-    void taskOfOnesOwn_isAStudyOfOneExperiment() {
+    void userTask_isAStudyOfOneExperiment() {
         String task = "task=" + XorTask.class.getName();
         assertThat(names(study(task, "method=3M"))).containsExactly("XorTask-3M");
     }
 
     @Test
-    void whatCannotBe_isOneClearLine() {
+    void impossibleRequests_areOneClearLine() {
         requireMistake("method=MT does not go with task=blended; its methods are", "task=blended", "method=MT");
         requireMistake("task=interleaved has no method MT3", "task=interleaved,isolated", "method=MT3,MT2");
         requireMistake("method=4M: must be one of 1M", "task=blended", "method=4M");

@@ -69,12 +69,12 @@ class CheckpointFileTest {
     void anyChangedByte_isNoticed_andThePreviousUsed() throws IOException {
         byte[] whole = Files.readAllBytes(newest);
         List<String> used = new ArrayList<>();
-        // Bytes 4 to 9 of the header (time, flags of the compressor, system) say nothing about the content.
+        // Bytes 4 to 9 of the header (time, flags of the compressor, system) do not depend on the content.
         for (int i = 10; i < whole.length; i += i < whole.length - 10 ? 7 : 1) {
             byte[] damaged = whole.clone();
             damaged[i] ^= 0x10;
             Files.write(newest, damaged);
-            // The compressor fills its last byte up with bits that mean nothing.
+            // The last byte of the compressor has meaningless padding bits.
             assertThat(loaded()).as("byte %d", i).isIn("first", "second");
             used.add(loaded());
         }
@@ -98,7 +98,7 @@ class CheckpointFileTest {
     }
 
     @Test
-    void bothDamaged_isAnErrorThatSaysWhatToDo() throws IOException {
+    void bothDamaged_isAnErrorWithAdvice() throws IOException {
         Files.writeString(newest, "x");
         Files.writeString(previous, "y");
         assertThatThrownBy(() -> checkpoint.load(CHECK))
@@ -108,22 +108,22 @@ class CheckpointFileTest {
     }
 
     @Test
-    void checkpointWithUnforcedFiles_replacesOnlyItsLike_soThatAForcedOneIsAlwaysThere() throws IOException {
-        checkpoint.save(withUnforced("third", "x0_score.txt", "score"));
-        checkpoint.save(withUnforced("fourth", "x0_score.txt", "score"));
+    void unsyncedCheckpoint_replacesOnlyUnsyncedOnes_soThatASyncedOneAlwaysExists() throws IOException {
+        checkpoint.save(withUnsynced("third", "x0_score.txt", "score"));
+        checkpoint.save(withUnsynced("fourth", "x0_score.txt", "score"));
         assertThat(loaded()).isEqualTo("fourth");
         Files.delete(newest);
         assertThat(loaded()).isEqualTo("second");
         checkpoint.save(named("fifth"));
-        checkpoint.save(withUnforced("sixth", "x0_score.txt", "score"));
+        checkpoint.save(withUnsynced("sixth", "x0_score.txt", "score"));
         assertThat(loaded()).isEqualTo("sixth");
         Files.delete(newest);
         assertThat(loaded()).isEqualTo("fifth");
     }
 
     @Test
-    void unforcedFileThatIsNotAsItWas_thePreviousCheckpointIsUsed() throws IOException {
-        checkpoint.save(withUnforced("third", "x0_score.txt", "score"));
+    void changedUnsyncedFile_makesThePreviousCheckpointBeUsed() throws IOException {
+        checkpoint.save(withUnsynced("third", "x0_score.txt", "score"));
         Path file = directory.resolve("x0_score.txt");
         for (String damaged : List.of("", "scor", "scare", "\0\0\0\0\0")) {
             Files.writeString(file, damaged);
@@ -131,12 +131,12 @@ class CheckpointFileTest {
         }
         Files.delete(file);
         assertThat(loaded()).isEqualTo("second");
-        // What a later generation added to a log does not matter; it is cut off.
+        // Text that a later generation appended to a log does not matter; it is cut off.
         Files.writeString(file, "score and more");
         assertThat(loaded()).isEqualTo("third");
     }
 
-    /** The name of the log by which the checkpoints are told apart here. */
+    /** Returns the name of the log that identifies the loaded checkpoint. */
     private String loaded() throws IOException {
         return checkpoint.load(CHECK).orElseThrow().logs().firstKey().replaceAll("x0_|_log\\.txt", "");
     }
@@ -145,7 +145,7 @@ class CheckpointFileTest {
         return Checkpoint.of(STATE, Map.of("x0_" + name + "_log.txt", 0L), new TreeMap<>());
     }
 
-    private static Checkpoint withUnforced(String name, String file, String content) {
+    private static Checkpoint withUnsynced(String name, String file, String content) {
         UnsyncedFiles unsynced = new UnsyncedFiles(Path.of(""));
         unsynced.replaced(file, content.getBytes(StandardCharsets.UTF_8));
         return Checkpoint.of(STATE, Map.of("x0_" + name + "_log.txt", 0L), unsynced.stretches());

@@ -12,10 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledForJreRange;
 import org.junit.jupiter.api.condition.JRE;
 
-/** Doubles are written as Java wrote them when the original ran, whichever Java runs. */
+/** With every version of Java, doubles are written as by the Java of the original's time. */
 class DoubleTextTest {
 
-    /** Many of the recorded texts have a digit more than Java 19 and later would give them. */
+    /** Many of the recorded texts have one digit more than those of Java 19 and later. */
     @Test
     void everyRecordedDouble_hasItsText() throws IOException {
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(
@@ -45,7 +45,7 @@ class DoubleTextTest {
     }
 
     @Test
-    void anyDouble_isReadBackAsItself() {
+    void anyDouble_isReadBackUnchanged() {
         ResumableRandom random = new ResumableRandom(12);
         for (int i = 0; i < 20_000; i++) {
             double value = Double.longBitsToDouble(random.nextLong());

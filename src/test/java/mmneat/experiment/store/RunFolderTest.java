@@ -30,7 +30,7 @@ class RunFolderTest {
     }
 
     @Test
-    void cutTo_forgetsWhatCameAfterTheCheckpoint() throws IOException {
+    void cutTo_removesRowsAfterTheCheckpoint() throws IOException {
         RunFolder folder = new RunFolder(directory, "x0_");
         folder.append("log.txt", "0\n");
         Map<String, Long> checkpoint = folder.flush();
@@ -49,7 +49,7 @@ class RunFolderTest {
     }
 
     @Test
-    void logShorterThanTheCheckpointSays_isAMistakeThatSaysWhatToDo() throws IOException {
+    void logShorterThanInTheCheckpoint_isAnErrorWithAdvice() throws IOException {
         Files.writeString(directory.resolve("log.txt"), "0");
         assertThatThrownBy(() -> new RunFolder(directory, "x0_").cutTo(Map.of("log.txt", 2L)))
                 .isInstanceOf(UserError.class)
@@ -62,7 +62,7 @@ class RunFolderTest {
         RunFolder folder = new RunFolder(directory, "x0_");
         folder.write("score.txt", "old");
         folder.flush();
-        // What the write goes through first is in the way: the disk could as well be full.
+        // A folder with the name of the temporary file makes the write fail, like a full disk.
         Files.createDirectory(directory.resolve("score.txt.unfinished"));
         folder.write("score.txt", "new");
         assertThatThrownBy(folder::flush).isInstanceOf(UncheckedIOException.class);
@@ -83,7 +83,7 @@ class RunFolderTest {
     }
 
     @Test
-    void deleteFolder_deletesWhatIsInIt_andNothingElse() throws IOException {
+    void deleteFolder_deletesItsFiles_andNothingElse() throws IOException {
         RunFolder folder = new RunFolder(directory, "x0_");
         folder.write("gen1/a/b.xml", "x");
         folder.write("gen2/b.xml", "x");

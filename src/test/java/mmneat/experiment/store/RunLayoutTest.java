@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Names and columns of a run's folder; the golden runs hold the names themselves. */
+/** Names and columns of a run's files; the golden runs check the names themselves. */
 class RunLayoutTest {
 
     @Test

@@ -27,7 +27,7 @@ class RunLockTest {
     Path folder;
 
     @Test
-    void secondHolder_isRefused_andToldWhoHoldsIt() throws Exception {
+    void secondHolder_isRefused_andTheMessageNamesTheFirst() throws Exception {
         try (RunLock first = RunLock.acquire(folder, QUICK)) {
             first.requireHeld();
             assertThatThrownBy(() -> RunLock.acquire(folder, QUICK))
@@ -72,7 +72,7 @@ class RunLockTest {
     void lockOfAnotherMachine_silentWhileWatched_isTakenOver() throws Exception {
         Path lock = writeLock("elsewhere", 1, Instant.now());
         for (Duration age : List.of(Duration.ofHours(1), Duration.ofHours(-1))) {
-            // A clock that is wrong by an hour in either direction must not keep a dead lock alive.
+            // A clock that is wrong by an hour in either direction must not prevent that a dead lock is taken over.
             writeLock("elsewhere", 1, Instant.now());
             Files.setLastModifiedTime(lock, FileTime.from(Instant.now().minus(age)));
             RunLock.acquire(folder, QUICK).close();
@@ -129,7 +129,7 @@ class RunLockTest {
     }
 
     @Test
-    void lockOfAnother_isNotTouchedByWhoLostIt() throws Exception {
+    void lockOfAnother_isNotTouchedByItsFormerHolder() throws Exception {
         try (RunLock slept = RunLock.acquire(folder, QUICK)) {
             Path lock = writeLock("elsewhere", 7, Instant.now());
             FileTime old = FileTime.from(Instant.EPOCH);

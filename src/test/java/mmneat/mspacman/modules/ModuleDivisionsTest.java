@@ -68,7 +68,7 @@ class ModuleDivisionsTest {
     }
 
     @Test
-    void named_findsTheOriginalsClassNames_andOnesOwn() {
+    void named_findsTheOriginalsClassNames_andUserClasses() {
         assertThat(ModuleDivisions.named("edu.utexas.cs.nn.tasks.mspacman.multitask.AnyGhostEdibleModeSelector"))
                 .isEqualTo(new AnyGhostEdible());
         assertThat(ModuleDivisions.named("AnyPills")).isEqualTo(new AnyPills());
@@ -76,7 +76,7 @@ class ModuleDivisionsTest {
     }
 
     @Test
-    void named_listsWhatIsKnown_whenThereIsNone() {
+    void named_listsKnownNames_forAnUnknownName() {
         assertThatThrownBy(() -> ModuleDivisions.named("AnyGhostEdibl"))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("AnyGhostEdibl is neither")

@@ -25,7 +25,7 @@ class GenotypeJsonTest {
             new InitialNetworks(3, ModuleLayout.withPreferenceNeurons(2, 1)).create(7, new ResumableRandom(5));
 
     @Test
-    void writtenGenotype_readsAsItself() throws IOException {
+    void writtenGenotype_isReadUnchanged() throws IOException {
         assertThat(GenotypeJson.read(GenotypeJson.write(NETWORK))).isEqualTo(NETWORK);
     }
 
@@ -46,7 +46,7 @@ class GenotypeJsonTest {
     }
 
     @Test
-    void genotypeInsideAnotherDocument_readsAsItself() throws IOException {
+    void genotypeInsideAnotherDocument_isReadUnchanged() throws IOException {
         JsonMapper mapper =
                 JsonMapper.builder().addModule(GenotypeJson.module()).build();
         record Checkpoint(int generation, List<Genotype> population) {}

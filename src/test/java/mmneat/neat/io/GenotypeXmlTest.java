@@ -77,7 +77,7 @@ class GenotypeXmlTest {
     }
 
     @Test
-    void writtenGenotype_readsAsItself() throws IOException {
+    void writtenGenotype_isReadUnchanged() throws IOException {
         assertThat(GenotypeXml.read(GenotypeXml.write(NETWORK))).isEqualTo(NETWORK);
     }
 

@@ -109,7 +109,7 @@ class NetworkDrawingTest {
     }
 
     @Test
-    void dot_hasEveryNeuronAndActiveLink_andClosesWhatItOpens() {
+    void dot_hasEveryNeuronAndActiveLink_andBalancedBrackets() {
         String dot = NetworkDot.of(NETWORK, LABELS);
 
         assertThat(dot.lines().filter(line -> line.contains(" -> "))).hasSize(5);

@@ -29,7 +29,7 @@ class FreezeMutationTest {
     @EnumSource(
             value = Part.class,
             names = {"POLICY", "PREFERENCE"})
-    void chosenOutputs_andWhatTheyDependOn_areFrozen_andNothingElse(Part part) {
+    void chosenOutputsAndTheirUpstreamNeurons_areFrozen_andNothingElse(Part part) {
         for (int i = 0; i < 50; i++) {
             Genotype frozen = freeze(SampleGenotypes.young(random), part);
             Set<Long> expected = upstream(frozen, part == Part.PREFERENCE);

@@ -25,7 +25,7 @@ import pacman.game.Game;
 import pacman.game.GameRules;
 import pacman.game.GhostLocations;
 
-/** Whole games between the examples end as the original's do, whether or not they are given copies of the game. */
+/** Whole games between the examples end like the original's, with and without copies of the game. */
 class ExampleGamesTest {
 
     private static final Map<String, Supplier<Controller<MOVE>>> PACMEN = Map.of(
@@ -46,7 +46,7 @@ class ExampleGamesTest {
             "StarterGhosts", StarterGhosts::new,
             "PansyGhosts", PansyGhosts::new);
 
-    /** A line of the data: how a game is set up, and how it ends. */
+    /** A line of the data: the settings of a game and its result. */
     record ExampleGame(
             int lives, long seed, String pacMan, String ghosts, int score, int totalTime, int level, long generator) {
 
@@ -84,7 +84,7 @@ class ExampleGamesTest {
                     game.rnd.bits());
         }
 
-        /** The plain loop of the competition. */
+        /** Plays with the plain loop of the competition. */
         private static void playWithCopies(Game game, Controller<MOVE> player, Controller<EnumMap<GHOST, MOVE>> team) {
             while (!game.gameOver()) {
                 game.advanceGame(player.getMove(game.copy(), -1), team.getMove(game.copy(), -1));

@@ -13,11 +13,13 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Rules of the example teams that whole games seldom show: docs/specification/controllers.md, sections 5.1 and 5.3. */
+/**
+ * Rules of the example teams that whole games rarely cover: docs/specification/controllers.md, sections 5.1 and 5.3.
+ */
 @Timeout(60)
 class GhostTeamTest {
 
-    /** All ghosts on one node, none edible or in the lair. */
+    /** Returns a game with all ghosts on one node, none edible or in the lair. */
     private static Game withGhostsAt(int node) {
         Game game = new Game(0);
         String[] fields = game.getGameState().split(",");

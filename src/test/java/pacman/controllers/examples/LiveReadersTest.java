@@ -11,7 +11,7 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.OutsideLegacy;
 
-/** Which controllers may read the live game. */
+/** The rule that decides which controllers may read the live game. */
 class LiveReadersTest {
 
     @Test
