@@ -110,13 +110,17 @@ public final class WalkTables {
         endWord[list] = (byte) end;
     }
 
+    /** Number of the list of walks from a node in a direction: often the same for neighbouring nodes. */
+    public int list(int node, int direction) {
+        return lists[4 * node + direction];
+    }
+
     /**
-     * The most active pills on a walk.
+     * The most active pills on a walk of a list.
      *
      * @param active bits of the active pills
      */
-    public int mostPills(int node, int direction, long[] active) {
-        int list = lists[4 * node + direction];
+    public int mostPills(int list, long[] active) {
         int end = first[list + 1];
         int start = firstWord[list];
         int afterLast = endWord[list];

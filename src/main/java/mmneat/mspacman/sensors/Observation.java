@@ -84,6 +84,11 @@ public final class Observation {
 
     private int[] firstActivePowerRank = new int[0];
 
+    /** Per direction, the list of walks for which {@link #mostPills} was found, -1 if pills have changed since. */
+    private final int[] knownWalks = new int[4];
+
+    private final int[] mostPills = new int[4];
+
     private final SafetyTest safety = new SafetyTest(this);
 
     // ---- Taking in the state ----
@@ -118,6 +123,7 @@ public final class Observation {
         paths = maze.paths;
         routes = maze.routes;
         activePills = new long[maze.graph.pillWords()];
+        Arrays.fill(knownWalks, -1);
         int rows = routes.rowCount();
         if (firstActiveRank.length < rows) {
             firstActiveRank = new int[rows];
@@ -141,6 +147,9 @@ public final class Observation {
     void setPills(int word, long bits) {
         if ((bits & ~activePills[word]) != 0) {
             Arrays.fill(firstActiveRank, 0);
+        }
+        if (bits != activePills[word]) {
+            Arrays.fill(knownWalks, -1);
         }
         activePills[word] = bits;
     }
@@ -521,7 +530,12 @@ public final class Observation {
 
     /** Most active pills on a walk of the look-ahead depth in this direction that never turns back. */
     public int mostPillsAhead() {
-        return pillsLeft == 0 ? 0 : tables.walks.mostPills(node, direction, activePills);
+        int list = tables.walks.list(node, direction);
+        if (list != knownWalks[direction]) {
+            knownWalks[direction] = list;
+            mostPills[direction] = tables.walks.mostPills(list, activePills);
+        }
+        return mostPills[direction];
     }
 
     /** Most junctions on a walk of the look-ahead depth in this direction that never turns back. */
