@@ -48,7 +48,7 @@ public final class LearningCurveFigure {
         panel.range(0, Math.max(1, last), bottom(panel.low(), panel.high()), ceiling(panel.high()));
         return Figure.single(
                 LearningCurveFigure.prefix(version) + "medians",
-                "Median over runs of the champion's score in each generation" + behind(!published.isEmpty()) + ".",
+                "Median over runs of the champion's score in each generation" + paperNote(!published.isEmpty()) + ".",
                 panel,
                 legend);
     }
@@ -68,7 +68,7 @@ public final class LearningCurveFigure {
                             + Numbers.counted(experiment.runs().size(), "run"),
                     "Generation",
                     "Champion's score");
-            panel.band(quantiles(experiment, 0.25), quantiles(experiment, 0.75), style.wash());
+            panel.band(quantiles(experiment, 0.25), quantiles(experiment, 0.75), style.areaColor());
             double[] theirs = published(paper, experiment, last);
             if (theirs.length > 0) {
                 published = true;
@@ -76,7 +76,7 @@ public final class LearningCurveFigure {
             }
             panel.curve(quantiles(experiment, 0.5), style.color(), SOLID);
             medians.add(new Swatch.Line(style.color(), SOLID));
-            quartiles.add(new Swatch.Area(style.wash()));
+            quartiles.add(new Swatch.Area(style.areaColor()));
             panels.add(panel);
         }
         double high = panels.stream().mapToDouble(Panel::high).max().orElse(1);
@@ -89,7 +89,7 @@ public final class LearningCurveFigure {
         }
         return Figure.grid(
                 prefix(version) + "curves",
-                "Champion's score in each generation: median and quartiles over runs" + behind(published) + ".",
+                "Champion's score in each generation: median and quartiles over runs" + paperNote(published) + ".",
                 panels,
                 legend);
     }
@@ -98,7 +98,7 @@ public final class LearningCurveFigure {
         return version.isEmpty() ? "" : version + "-";
     }
 
-    static String behind(boolean published) {
+    static String paperNote(boolean published) {
         return published ? "; in grey the paper's (" + PublishedResults.SOURCE + ")" : "";
     }
 

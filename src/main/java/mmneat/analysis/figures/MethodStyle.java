@@ -68,7 +68,7 @@ record MethodStyle(Color color, float[] dash, Marker marker) {
     }
 
     /** The colour as a light wash, for areas. */
-    Color wash() {
+    Color areaColor() {
         return new Color(mixed(color.getRed()), mixed(color.getGreen()), mixed(color.getBlue()));
     }
 

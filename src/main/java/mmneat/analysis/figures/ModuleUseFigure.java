@@ -63,7 +63,7 @@ public final class ModuleUseFigure {
         return Optional.of(Figure.grid(
                 LearningCurveFigure.prefix(version) + "modules",
                 "Each champion's average score after evolution against the share of time steps in which its most-used"
-                        + " module decided" + LearningCurveFigure.behind(!published.isEmpty()) + ".",
+                        + " module decided" + LearningCurveFigure.paperNote(!published.isEmpty()) + ".",
                 panels,
                 legend));
     }

@@ -149,7 +149,7 @@ final class Panel {
 
     private void paintLabels(Canvas canvas, Frame frame) {
         double[] places =
-                apart(labels.stream().mapToDouble(label -> frame.y(label.y)).toArray(), LABEL_FONT.getSize() + 2);
+                spread(labels.stream().mapToDouble(label -> frame.y(label.y)).toArray(), LABEL_FONT.getSize() + 2);
         for (int i = 0; i < places.length; i++) {
             Label label = labels.get(i);
             double base = places[i] + LABEL_FONT.getSize() / 3.0;
@@ -158,7 +158,7 @@ final class Panel {
     }
 
     /** Places near the given ones with at least {@code gap} points between every two. */
-    private static double[] apart(double[] wanted, double gap) {
+    private static double[] spread(double[] wanted, double gap) {
         double[] places = wanted.clone();
         Integer[] order = IntStream.range(0, wanted.length).boxed().toArray(Integer[]::new);
         Arrays.sort(order, Comparator.comparingDouble(i -> wanted[i]));

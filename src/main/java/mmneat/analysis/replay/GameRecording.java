@@ -25,7 +25,7 @@ public final class GameRecording implements EvaluationObserver {
 
     private final ReplayRecorder recorder;
     private final ReplayStep step;
-    private final ShadowNetworks shadow;
+    private final FullNetworkEvaluator networks;
     private final StateCapture state;
 
     private GameRecording(MsPacManTaskSettings settings, Genotype genotype, int detailEvery) {
@@ -33,7 +33,7 @@ public final class GameRecording implements EvaluationObserver {
         recorder = new ReplayRecorder(network, detailEvery);
         step = new ReplayStep(network);
         state = new StateCapture(recorder, step);
-        shadow = new ShadowNetworks(settings, genotype);
+        networks = new FullNetworkEvaluator(settings, genotype);
     }
 
     /**
@@ -62,7 +62,7 @@ public final class GameRecording implements EvaluationObserver {
     @Override
     public void gameStarted(TrialGame setting, Game game) {
         recorder.startGame(name(setting));
-        shadow.startGame();
+        networks.startGame();
         capture(game);
     }
 
@@ -154,6 +154,6 @@ public final class GameRecording implements EvaluationObserver {
 
     private void capture(Game game) {
         state.capture(game);
-        shadow.think(game, step);
+        networks.evaluate(game, step);
     }
 }

@@ -10,12 +10,12 @@ class Player {
     this.holdUntil = 0;
     this.byId = id => document.getElementById(id);
     this.maze = new MazeView(recording, this.byId("maze-canvas"));
-    this.mind = new MindView(recording, this.byId("mind-canvas"));
+    this.networkView = new NetworkView(recording, this.byId("network-canvas"));
     this.timeline = new Timeline(recording, this.byId("timeline-canvas"));
     document.body.classList.toggle("no-network", recording.network.inputs.length === 0);
     document.body.classList.toggle("one-life", Math.max(...new Set(recording.column.lives)) <= 1);
     document.body.classList.toggle("one-game", recording.gameStarts.length === 1);
-    this.byId("mind-canvas").style.setProperty("--inputs", recording.network.inputs.length);
+    this.byId("network-canvas").style.setProperty("--inputs", recording.network.inputs.length);
     this.listModules();
     this.connect();
     this.seek(0);
@@ -34,7 +34,7 @@ class Player {
       this.show();
     }
     this.maze.draw(this.at, now);
-    this.mind.draw(this.step);
+    this.networkView.draw(this.step);
     this.timeline.draw(this.at);
     requestAnimationFrame(next => this.frame(next));
   }
@@ -80,7 +80,7 @@ class Player {
   faster(change) { this.setSpeed(SPEEDS[Math.max(0, Math.min(SPEEDS.length - 1, SPEEDS.indexOf(this.speed) + change))]); }
 
   setDirection(direction) {
-    this.mind.follow = direction;
+    this.networkView.follow = direction;
     for (const button of this.byId("directions").children) button.setAttribute("aria-checked", String(+button.dataset.direction === direction));
   }
 
@@ -116,7 +116,7 @@ class Player {
     slider.setAttribute("aria-valuenow", step);
     slider.setAttribute("aria-valuetext", `step ${step}, ${chapterName(chapter)}, score ${column.score[step]}`);
     [...this.byId("modules").children].forEach((item, m) => item.classList.toggle("now", column.module[step] === m));
-    put("decision", this.mind.decision(step));
+    put("decision", this.networkView.decision(step));
     const event = events.find(e => step === e.step);
     this.byId("outcome").hidden = !event;
     if (!event) return;
@@ -176,10 +176,10 @@ class Player {
   }
 
   connectTip() {
-    const canvas = this.byId("mind-canvas"), tip = this.byId("tip");
+    const canvas = this.byId("network-canvas"), tip = this.byId("tip");
     const tell = event => {
       const box = canvas.getBoundingClientRect(), outer = canvas.parentElement.getBoundingClientRect();
-      const text = this.mind.describe(event.clientX - box.left, event.clientY - box.top, this.step);
+      const text = this.networkView.describe(event.clientX - box.left, event.clientY - box.top, this.step);
       tip.hidden = !text;
       if (!text) return;
       tip.textContent = text;
@@ -197,7 +197,7 @@ class Player {
     const actions = {
       " ": () => this.toggle(), ArrowLeft: () => this.move(-far), ArrowRight: () => this.move(far),
       ArrowUp: () => this.faster(1), ArrowDown: () => this.faster(-1), Home: () => this.seek(0), End: () => { this.pause(); this.byId("poster").hidden = true; this.seek(this.last); },
-      n: () => this.chapter(1), p: () => this.chapter(-1), d: () => this.setDirection((this.mind.follow + 2) % 5 - 1),
+      n: () => this.chapter(1), p: () => this.chapter(-1), d: () => this.setDirection((this.networkView.follow + 2) % 5 - 1),
       t: () => { this.maze.trailShown = !this.maze.trailShown; }, h: () => this.byId("help").showModal(), "?": () => this.byId("help").showModal(),
     };
     const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];

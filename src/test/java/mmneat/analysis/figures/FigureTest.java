@@ -85,7 +85,10 @@ class FigureTest {
         }
     }
 
-    /** The drawings in front of an entry's text, which is the last one of that wording, back to the text before (for the first entry with the data of the last panel). */
+    /**
+     * The drawings between the text before a legend entry and the entry's text. Those of the first entry begin with the data
+     * of the last panel.
+     */
     private static List<String> swatches(Figure figure, String text) {
         List<String> lines = figure.svg().lines().toList();
         int end = lines.size() - 1;

@@ -51,13 +51,13 @@ class GameRecordingTest {
             Genotype genotype = network(seed, ModuleLayout.withPreferenceNeurons(2, 1));
             ReplayNetwork picture = NetworkPicture.of(genotype, ChampionLabels.of(BLENDED, genotype.layout()));
             ReplayStep step = new ReplayStep(picture);
-            ShadowNetworks shadow = new ShadowNetworks(BLENDED, genotype);
+            FullNetworkEvaluator networks = new FullNetworkEvaluator(BLENDED, genotype);
             int[] compared = {0};
             new MsPacManTask(BLENDED).evaluate(genotype, new ResumableRandom(seed), new EvaluationObserver() {
                 @Override
                 public void gameStarted(TrialGame setting, Game game) {
-                    shadow.startGame();
-                    shadow.think(game, step);
+                    networks.startGame();
+                    networks.evaluate(game, step);
                 }
 
                 @Override
@@ -72,7 +72,7 @@ class GameRecordingTest {
                         }
                     }
                     if (!game.gameOver()) {
-                        shadow.think(game, step);
+                        networks.evaluate(game, step);
                     }
                 }
 

@@ -115,7 +115,7 @@ class ReplayPageTest {
         for (int[] size : new int[][] {{1280, 800, 0}, {390, 844, 1}}) {
             browser.resize(size[0], size[1], size[2] == 1);
             browser.press("End");
-            for (String canvas : new String[] {"maze-canvas", "mind-canvas", "timeline-canvas"}) {
+            for (String canvas : new String[] {"maze-canvas", "network-canvas", "timeline-canvas"}) {
                 // An empty canvas of these sizes is a few hundred bytes of PNG.
                 browser.waitUntil("document.getElementById('" + canvas + "').toDataURL().length > 3000");
             }
@@ -156,10 +156,10 @@ class ReplayPageTest {
                     .isLessThan(1);
             // After scrolling to its end, the last row of the list of sensors is above the controls.
             browser.evaluate(
-                    "document.querySelector('#mind .key').scrollIntoView({block: 'end', behavior: 'instant'})");
+                    "document.querySelector('#network .key').scrollIntoView({block: 'end', behavior: 'instant'})");
             browser.evaluate("scrollTo(0, document.documentElement.scrollHeight)");
-            assertThat(overlap("#mind-canvas", "footer")).isLessThanOrEqualTo(0);
-            assertThat(number("player.mind.at.row"))
+            assertThat(overlap("#network-canvas", "footer")).isLessThanOrEqualTo(0);
+            assertThat(number("player.networkView.at.row"))
                     .as("height of a sensor's row")
                     .isGreaterThan(9.5);
             browser.evaluate("scrollTo(0, 0)");
@@ -180,7 +180,7 @@ class ReplayPageTest {
         browser.resize(1366, 620, false);
         browser.open(games);
         browser.waitUntil("window.player !== undefined");
-        assertThat(number("(m => m.scrollHeight - m.clientHeight)(document.querySelector('#mind'))"))
+        assertThat(number("(m => m.scrollHeight - m.clientHeight)(document.querySelector('#network'))"))
                 .isLessThanOrEqualTo(0);
         assertThat(number("document.documentElement.scrollHeight - innerHeight"))
                 .isLessThanOrEqualTo(0);
@@ -193,14 +193,16 @@ class ReplayPageTest {
         assertThat(number("player.recording.column.preference0.filter(value => value === WALL).length"))
                 .as("steps with a wall above")
                 .isGreaterThan(100);
-        assertThat(browser.evaluate("[...player.recording.column.preference0.keys()]"
-                                + ".every(step => player.mind.isOpen(0, player.mind.networkStep(0, step)))")
+        assertThat(browser.evaluate(
+                                "[...player.recording.column.preference0.keys()]"
+                                        + ".every(step => player.networkView.isOpen(0, player.networkView.networkStep(0, step)))")
                         .asBoolean())
                 .isTrue();
-        assertThat(browser.evaluate("player.mind.isOpen(0, 100)").asBoolean()).isFalse();
-        String network = "(c => { player.mind.draw(player.step); const d = devicePixelRatio;"
-                + " const p = c.getContext('2d').getImageData(player.mind.at.first * d, 60 * d, 200 * d, 200 * d).data;"
-                + " return p.filter((v, i) => i % 4 < 3 && v > 40).length; })(document.getElementById('mind-canvas'))";
+        assertThat(browser.evaluate("player.networkView.isOpen(0, 100)").asBoolean())
+                .isFalse();
+        String network = "(c => { player.networkView.draw(player.step); const d = devicePixelRatio;"
+                + " const p = c.getContext('2d').getImageData(player.networkView.at.first * d, 60 * d, 200 * d, 200 * d).data;"
+                + " return p.filter((v, i) => i % 4 < 3 && v > 40).length; })(document.getElementById('network-canvas'))";
         browser.evaluate("player.move(100)");
         assertThat(number(network)).as("pixels of the network").isGreaterThan(500);
     }
@@ -232,12 +234,14 @@ class ReplayPageTest {
                         .get(LAST)
                         .asInt())
                 .isEqualTo(SyntheticReplay.STEPS_PER_LEVEL - 1);
-        assertThat(browser.evaluate("player.mind.value('sensor', 1, 1, 80)").asDouble())
+        assertThat(browser.evaluate("player.networkView.value('sensor', 1, 1, 80)")
+                        .asDouble())
                 .isBetween(0.49, 0.51);
-        assertThat(browser.evaluate("player.mind.preference(player.recording.column.choice[30], 30)")
+        assertThat(browser.evaluate("player.networkView.preference(player.recording.column.choice[30], 30)")
                         .asDouble())
                 .isBetween(0.74, 0.76);
-        assertThat(browser.evaluate("player.mind.value('node', 1, 0, 10)").asDouble())
+        assertThat(browser.evaluate("player.networkView.value('node', 1, 0, 10)")
+                        .asDouble())
                 .isBetween(Math.sin(1) - 0.02, Math.sin(1) + 0.02);
     }
 }

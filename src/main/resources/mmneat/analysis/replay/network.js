@@ -2,7 +2,7 @@
 const DIRECTION_NAMES = ["up", "right", "down", "left"], DIRECTION_SIGNS = ["↑", "→", "↓", "←"];
 const EXCITES = [120, 190, 255], INHIBITS = [255, 96, 72], PREFERENCE_GREY = "#aab1c8";
 
-class MindView {
+class NetworkView {
   constructor(recording, canvas) {
     this.recording = recording;
     this.canvas = canvas;

@@ -16,7 +16,7 @@ import pacman.game.Game;
  *
  * <p>Source of the order of flushing: docs/specification/mspacman-task.md, section 3.1.
  */
-final class ShadowNetworks {
+final class FullNetworkEvaluator {
 
     private final MsPacManTaskSettings settings;
     private final NetworkInputs sensors;
@@ -27,7 +27,7 @@ final class ShadowNetworks {
     private final ResumableRandom random = new ResumableRandom(0);
     private int livesBefore = -1;
 
-    ShadowNetworks(MsPacManTaskSettings settings, Genotype genotype) {
+    FullNetworkEvaluator(MsPacManTaskSettings settings, Genotype genotype) {
         this.settings = settings;
         sensors = SensorSuite.of(settings.sensors()).newInputs();
         Network network = Network.compileWithAllNodes(genotype);
@@ -47,7 +47,7 @@ final class ShadowNetworks {
     }
 
     /** Reads the sensors before a decision and fills in what the networks make of it. */
-    void think(Game game, ReplayStep step) {
+    void evaluate(Game game, ReplayStep step) {
         flushAfterChange(game);
         sensors.observe(game);
         for (int d = 0; d < states.length; d++) {
