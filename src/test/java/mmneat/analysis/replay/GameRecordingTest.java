@@ -134,7 +134,7 @@ class GameRecordingTest {
             open(browser, replay);
             assertThat(browser.evaluate("player.recording.gameStarts.length").asInt())
                     .isEqualTo(5);
-            assertThat(browser.text("#maze-label")).isEqualTo("Pills in");
+            assertThat(browser.text("#maze-label")).isEqualTo("Pills maze");
             assertThat(browser.text("#maze")).isEqualTo("A");
             browser.evaluate("player.setSpeed(16)");
             browser.press(" ");
@@ -147,7 +147,7 @@ class GameRecordingTest {
             assertThat(browser.text("#outcome")).contains(ofPillGame + " points");
             browser.waitUntil("player.step > player.recording.gameStarts[1]");
             browser.press(" ");
-            assertThat(browser.text("#maze-label")).isEqualTo("Ghosts 1 in");
+            assertThat(browser.text("#maze-label")).isEqualTo("Ghosts 1 maze");
             browser.press("End");
             assertThat(browser.text("#total")).isEqualTo(String.format(Locale.ROOT, "%,d", sum));
             assertThat(browser.text("#outcome"))
@@ -181,7 +181,7 @@ class GameRecordingTest {
             browser.press("Home");
             for (int maze = 2; maze <= 4; maze++) {
                 browser.press("n");
-                assertThat(browser.text("#maze-label")).isEqualTo("Level " + maze);
+                assertThat(browser.text("#maze-label")).isEqualTo("Level " + maze + " maze");
             }
             browser.press("End");
             assertThat(browser.text("#score")).isEqualTo(score);
