@@ -13,22 +13,26 @@ import mmneat.analysis.statistics.Sample;
 import mmneat.experiment.UserError;
 
 /**
- * The statistics of several experiments' champions, in one version of the task: scores of different versions mean different things.
+ * The statistical comparison of the champions of several experiments in one version of the task. Scores of different
+ * versions are not comparable.
  *
  * @param version of the task; empty for a task of the user's own
  * @param evaluated whether the scores are those of the evaluation after evolution; if not, of the last generation
  * @param report the tables
- * @param notes what a reader should know about the numbers
+ * @param notes remarks on the numbers, for example which runs were left out
  */
 public record ExperimentComparison(String version, boolean evaluated, ComparisonReport report, List<String> notes) {
 
-    /** Where the champions' scores come from. */
+    /** Source of the champions' scores. */
     public enum Scores {
         /** The evaluations if a finished run has one, else the last generation. */
         AUTO,
         /** The evaluations after evolution. */
         EVALUATION,
-        /** The last generation: few games, and the best of them, so too high. */
+        /**
+         * The scores of the last generation. They are too high: they rest on few games, and the champion was selected
+         * by them.
+         */
         TRAINING
     }
 
@@ -39,9 +43,10 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
     /**
      * Compares the experiments of each version of the task.
      *
-     * @param paper whether the paper's champions stand beside ours
+     * @param paper whether to compare with the paper's champions too
      * @return one comparison per version, in the order of the experiments
-     * @throws UserError if the evaluations are wanted but an experiment has none, or the paper has none of the experiments
+     * @throws UserError if the evaluations are wanted but an experiment has none, or the paper has none of the
+     *     experiments
      */
     public static List<ExperimentComparison> ofEachVersion(List<Experiment> experiments, Scores scores, boolean paper) {
         Map<String, List<Experiment>> versions = Experiment.byVersion(experiments);
@@ -149,9 +154,9 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
     }
 
     /**
-     * What the scores are, as a heading.
+     * A heading that names the kind of scores.
      *
-     * @param ofSeveral whether the version has to be named
+     * @param ofSeveral whether to name the version
      */
     public String heading(boolean ofSeveral) {
         String scores = evaluated

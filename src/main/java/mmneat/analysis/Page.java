@@ -10,8 +10,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A self-contained HTML page made from a template among the resources. {@code {{name}}} in the template stands for a value given
- * with {@link #with}, {@code {{file:name}}} for another resource of the same folder.
+ * A self-contained HTML page, filled in from a template among the resources. In the template, {@code {{name}}} is
+ * replaced by the value set with {@link #with}, and {@code {{file:name}}} by another resource of the same folder.
  */
 public final class Page {
 
@@ -32,24 +32,28 @@ public final class Page {
         this.template = template;
     }
 
-    /** Sets what stands at a place; the text is inserted as it is. */
+    /** Sets the value of a placeholder; the HTML is inserted unchanged. */
     public Page with(String name, String html) {
         values.put(name, html);
         return this;
     }
 
-    /** Sets plain text, escaped. */
+    /** Sets the value of a placeholder to plain text; special characters are escaped. */
     public Page withText(String name, String text) {
         return with(name, escape(text));
     }
 
-    /** Sets JSON inside a script element. */
+    /** Sets the value of a placeholder inside a script element to JSON. */
     public Page withJson(String name, String json) {
         // "</script>" inside a string would end the element; JSON lets us write the slash escaped.
         return with(name, json.replace("</", "<\\/"));
     }
 
-    /** The whole page. */
+    /**
+     * The complete page.
+     *
+     * @throws IllegalStateException if a placeholder of the template has no value
+     */
     public String html() {
         return PLACE.matcher(resource(template)).replaceAll(match -> Matcher.quoteReplacement(at(match.group(1))));
     }
@@ -76,7 +80,7 @@ public final class Page {
         }
     }
 
-    /** Text for HTML. */
+    /** Plain text with the special characters of HTML escaped. */
     public static String escape(String text) {
         return text.replace("&", "&amp;")
                 .replace("<", "&lt;")

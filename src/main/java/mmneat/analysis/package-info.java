@@ -1,5 +1,4 @@
 /**
- * What a researcher does once the runs are there: evaluate champions, compare methods, draw figures, write reports and watch
- * games.
+ * Analysis of finished runs: evaluation of champions, comparison of methods, figures, reports, and recordings of games.
  */
 package mmneat.analysis;

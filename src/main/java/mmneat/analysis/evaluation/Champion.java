@@ -16,24 +16,24 @@ import mmneat.neat.io.GenotypeFiles;
 import mmneat.neat.io.GenotypeFormatException;
 
 /**
- * A network to evaluate or to watch, and what is known of the run that it is from.
+ * A network to evaluate or to watch, with the folder and parameters of the run that evolved it.
  *
  * @param genotype the network
- * @param file where it was read
+ * @param file the file that it was read from
  * @param runFolder the folder of its run; empty if the file stands alone
  * @param parameters the parameters of its run; empty if the file stands alone
- * @param jar the jar or folder of classes that the user named for the classes in the run's parameters; empty: those classes are
- *     not loaded, as a run's folder may come from someone else
+ * @param jar the jar or folder, named by the user, with the classes that the run's parameters mention; if empty, those
+ *     classes are not loaded, because the folder of a run may be untrusted
  */
 public record Champion(
         Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters, Optional<Path> jar) {
 
-    /** A network whose run's own classes may not be loaded. */
+    /** A network of a run whose own classes must not be loaded. */
     public Champion(Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters) {
         this(genotype, file, runFolder, parameters, Optional.empty());
     }
 
-    /** The same with a jar for the classes that its run's parameters name. */
+    /** A copy with a jar for the classes that the run's parameters mention. */
     public Champion withJar(Optional<Path> named) {
         return new Champion(genotype, file, runFolder, parameters, named);
     }
@@ -44,7 +44,7 @@ public record Champion(
     }
 
     /**
-     * Reads the champion of a run's folder, or a genotype file, ours or the original's.
+     * Reads the champion from the folder of a run, or a network from a file; both may be the original's.
      *
      * @throws UserError if there is none
      */
@@ -71,7 +71,10 @@ public record Champion(
         }
     }
 
-    /** The file's folder or the one above it, whichever has parameters; networks of generations stand in folders of a run. */
+    /**
+     * The folder with the parameters: that of the file or the one above it, as a run keeps the networks of generations
+     * in subfolders.
+     */
     private static Optional<Path> runFolder(Path file) {
         return Stream.iterate(file.toAbsolutePath().getParent(), java.util.Objects::nonNull, Path::getParent)
                 .limit(2)

@@ -25,11 +25,11 @@ import mmneat.neat.io.GenotypeJson;
 import mmneat.random.ResumableRandom;
 
 /**
- * Lets champions play many games on all cores.
+ * Evaluates champions over many games on all cores.
  *
- * <p>Every game has a generator of its own, whose seed is the game's number-th draw from a generator with the evaluation's
- * seed: the result is the same for any number of threads, and any game can be played again alone. Games are played in blocks;
- * blocks are written in order.
+ * <p>Every game has a generator of its own. The seed of game n is the n-th draw from a generator with the evaluation's
+ * seed. So the result is the same for any number of threads, and any game can be repeated alone. Games are played in
+ * blocks, and blocks are written in order.
  */
 public final class ChampionEvaluator implements AutoCloseable {
 
@@ -45,8 +45,8 @@ public final class ChampionEvaluator implements AutoCloseable {
     /**
      * An evaluator.
      *
-     * @param games games per champion, at least 1; where more were played already, all of them count
-     * @param threads games that are played at the same time
+     * @param games games per champion, at least 1; if an earlier evaluation played more, all of them count
+     * @param threads number of games that are played at the same time
      */
     public ChampionEvaluator(Rules rules, int games, long seed, int threads) {
         this.rules = rules;
@@ -55,12 +55,12 @@ public final class ChampionEvaluator implements AutoCloseable {
         this.threads = Executors.newFixedThreadPool(threads, DaemonThreads.named("evaluation"));
     }
 
-    /** Games that an earlier evaluation left and that need not be played again. */
+    /** Number of games taken over from an earlier evaluation. */
     public long found() {
         return found.get();
     }
 
-    /** Games played so far by this evaluator, by all threads; those found on disk are not counted. */
+    /** Number of games that all threads of this evaluator have played so far, without those found on disk. */
     public long played() {
         return played.get();
     }
@@ -168,7 +168,7 @@ public final class ChampionEvaluator implements AutoCloseable {
     }
 
     /**
-     * A champion and how it plays.
+     * A champion with the settings of its games.
      *
      * @param champion the network
      * @param settings from {@link PlayerSettings}, with the rules of this evaluation
@@ -176,11 +176,11 @@ public final class ChampionEvaluator implements AutoCloseable {
     public record Entry(Champion champion, MsPacManTaskSettings settings) {}
 
     /**
-     * Evaluates champions and writes the table and the summary of each beside it: into the run's folder, or beside a file that
-     * stands alone. What an earlier evaluation with the same seed left is kept.
+     * Evaluates champions and writes the table and the summary of each into the folder of its run, or beside a file
+     * that belongs to no run. Games of an earlier evaluation with the same seed are kept.
      *
      * @return one evaluation per entry
-     * @throws UserError if a table or summary cannot be written, or another evaluation writes it just now
+     * @throws UserError if a table or summary cannot be written, or if another evaluation is writing it
      */
     public List<ChampionEvaluation> evaluate(List<Entry> entries) throws InterruptedException {
         List<Job> jobs = new ArrayList<>();

@@ -14,18 +14,18 @@ import mmneat.neat.ModuleLayout;
 import mmneat.neat.io.NetworkLabels;
 
 /**
- * What the inputs and modules of a champion are called in pictures.
+ * Names of the inputs and modules of a champion, for pictures.
  *
  * @param labels the names
- * @param remark what a reader should know about the names, empty if they are those of the champion's own task
+ * @param remark a remark for the reader; empty if the names are those of the champion's own task
  */
 public record ChampionLabels(NetworkLabels labels, String remark) {
 
     /**
-     * The names that the champion's task gives. A task that cannot be found or made is no reason not to draw a network: then
-     * everything is numbered, and the remark says why.
+     * The names from the champion's task. If that task cannot be found or made, inputs and modules are numbered, and
+     * the remark gives the reason.
      *
-     * @param version of the task; if empty, that of the champion's run or what its inputs say
+     * @param version of the task; if empty, that of the champion's run, or else the one with its number of inputs
      * @throws UserError if a version is given that the network does not suit
      */
     public static ChampionLabels of(Champion champion, Optional<TaskVersion> version) {

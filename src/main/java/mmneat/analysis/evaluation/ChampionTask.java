@@ -16,7 +16,7 @@ import mmneat.mspacman.sensors.SensorSettings;
 import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.Genotype;
 
-/** Finds the task of a champion: that of its run, or the published one that its network suits. */
+/** Determines the task of a champion: the task of its run, or the published task that fits its network. */
 final class ChampionTask {
 
     private static final int BLENDED_INPUTS = 30;
@@ -26,9 +26,9 @@ final class ChampionTask {
     /**
      * The task of a champion.
      *
-     * @param version of the task; if empty, that of the champion's run or what its inputs say
+     * @param version of the task; if empty, that of the champion's run, or else the one with its number of inputs
      * @param ghostLocations file of ghost locations for the isolated version, if not that of the run
-     * @throws UserError if the network does not suit the task, or the task cannot be made
+     * @throws UserError if the network does not fit the task, or the task cannot be made
      */
     static Task of(Champion champion, Optional<TaskVersion> version, Optional<Path> ghostLocations) {
         List<String> words = new ArrayList<>();
@@ -59,7 +59,10 @@ final class ChampionTask {
         return task;
     }
 
-    /** Makes sure that the recording of ghost locations that the run used is still there: that of the original never is. */
+    /**
+     * Checks that the recording of ghost locations that the run used still exists. That of an original's run never
+     * does.
+     */
     private static void requireRecording(Champion champion) {
         String file = champion.parameters().getOrDefault(Tasks.GHOST_LOCATIONS, "");
         boolean isIsolated = PublishedTask.version(champion.parameters()).equals(Optional.of(TaskVersion.ISOLATED));
@@ -72,12 +75,12 @@ final class ChampionTask {
         }
     }
 
-    /** Whether the parameters of its run say what the champion's task is. */
+    /** Whether the parameters of its run determine the champion's task. */
     static boolean isToldByRun(Champion champion, Optional<TaskVersion> version) {
         return version.isEmpty() && champion.parametersFile().isPresent();
     }
 
-    /** Whether the run's parameters name a task class of the user's own; tells without loading it. */
+    /** Whether the run's parameters name a task class of the user; the class is not loaded. */
     static boolean isOfOwnTask(Champion champion, Optional<TaskVersion> version) {
         return isToldByRun(champion, version)
                 && !champion.parameters().getOrDefault("task", "").isEmpty()

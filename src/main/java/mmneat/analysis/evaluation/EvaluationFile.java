@@ -15,12 +15,14 @@ import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 
 /**
- * The CSV of an evaluation: a line per game, in order. Games are appended as they are finished, so an interrupted evaluation goes
- * on where it stopped. While it is open no other process can open it here.
+ * The CSV table of an evaluation, with one line per game in order. Games are appended when they are finished, so an
+ * interrupted evaluation can continue. While the table is open, other processes of this machine cannot open it.
  */
 final class EvaluationFile implements AutoCloseable {
 
-    /** The byte that is locked: so far behind all others that other processes can read the file meanwhile, on any system. */
+    /**
+     * Position of the locked byte. It is far behind the data, so that other processes can read the file on any system.
+     */
     private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
 
     private final Path file;
@@ -30,7 +32,7 @@ final class EvaluationFile implements AutoCloseable {
     private String evaluation = "";
 
     /**
-     * Opens the file, which is made if need be.
+     * Opens the file, and creates it if it does not exist.
      *
      * @throws UserError if it cannot be written, or is open already
      */
@@ -60,8 +62,8 @@ final class EvaluationFile implements AutoCloseable {
     }
 
     /**
-     * The games that are there already, if they are of this evaluation; else the file is begun anew. A last line that was cut
-     * off is dropped.
+     * Reads the games that the file holds, if they are of this evaluation; otherwise the file is truncated. An
+     * incomplete last line is dropped.
      *
      * @param seeds gives the seeds of the first games of the evaluation, as many as are asked for
      * @param name says which network plays by which rules; the last column of every line
@@ -131,7 +133,7 @@ final class EvaluationFile implements AutoCloseable {
         }
     }
 
-    /** Lets others open the file. */
+    /** Closes the file and releases its lock. */
     @Override
     public void close() {
         try {

@@ -29,8 +29,8 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * The original's eval report: one evaluation of many trials, drawn from the run's seed like the original, trial by trial, with
- * module use per direction.
+ * The original's evaluation report: one evaluation of many trials, with module use per direction. Random numbers are
+ * drawn from the run's seed in the original's order.
  *
  * <p>Source: docs/specification/evolution.md, section 6.2.
  */

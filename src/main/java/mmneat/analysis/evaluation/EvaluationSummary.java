@@ -7,7 +7,7 @@ import mmneat.mspacman.GameEnd;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 
-/** Sums up the games of an evaluation. */
+/** Computes the summary of an evaluation from its games. */
 final class EvaluationSummary {
 
     private static final double LEVEL = 0.95;

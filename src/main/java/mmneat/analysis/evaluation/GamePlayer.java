@@ -15,7 +15,7 @@ import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
-/** Plays single games of a network and notes what happened. One thread uses it. */
+/** Plays single games of a network and records their results. Not thread-safe. */
 final class GamePlayer implements EvaluationObserver {
 
     private static final int GHOSTS = 0;

@@ -9,16 +9,16 @@ import mmneat.mspacman.GameEnd;
 import mmneat.mspacman.ModuleUse;
 
 /**
- * One game of an evaluation (in the isolated version one trial of five games).
+ * The result of one game of an evaluation; in the isolated version of one trial of five games.
  *
- * @param number from 0
+ * @param number number of the game, from 0
  * @param seed of the game's generator: {@code watch seed=...} shows this game
  * @param score points
  * @param ghosts the ghost objective
  * @param pills the pill objective
  * @param levels levels finished
  * @param steps time steps
- * @param end why it ended; in the isolated version, why the pill game did
+ * @param end why the game ended; in the isolated version, why the pill game ended
  * @param maze index of the maze in which it ended
  * @param moduleUse how often each module decided, for each observation of {@link ModuleUse.When}
  */

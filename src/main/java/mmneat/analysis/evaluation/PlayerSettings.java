@@ -7,7 +7,10 @@ import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 
-/** Finds out how a champion senses and plays: from the parameters of its run, or from the published ones of a version. */
+/**
+ * Determines the sensors and rules of a champion from the parameters of its run, or from the published parameters of a
+ * version.
+ */
 public final class PlayerSettings {
 
     private PlayerSettings() {}

@@ -23,7 +23,7 @@ public enum Rules {
         this.label = label;
     }
 
-    /** As users write it. */
+    /** The label, as written by users. */
     public String label() {
         return label;
     }
@@ -41,7 +41,7 @@ public enum Rules {
                 .orElseThrow(() -> new UserError("rules=" + label + ": must be one of " + String.join(", ", labels())));
     }
 
-    /** The training rules changed to these; what makes the version of the task stays. */
+    /** The training rules with the changes that these rules make; settings of the version of the task are kept. */
     GameRules from(GameRules training) {
         return switch (this) {
             case TRAINING -> training;

@@ -14,15 +14,18 @@ import java.util.Locale;
  */
 record Axis(double low, double high) {
 
-    /** Numbers beyond are cut: differences of larger ones overflow. */
+    /** Larger numbers are clamped to this one, because their differences would overflow. */
     private static final double LARGEST = 1e300;
 
-    /** From this size on, labels are in scientific form. */
+    /** From this number on, labels are in scientific notation. */
     private static final double LARGEST_WRITTEN_OUT = 1e7;
 
     private static final double SMALLEST_WRITTEN_OUT = 1e-4;
 
-    /** An axis of this range at least; a range without extent, or too small for its numbers, is widened upwards. */
+    /**
+     * An axis that covers at least this range. An empty range, or one too small for the precision of its numbers, is
+     * widened upwards.
+     */
     static Axis of(double low, double high) {
         double bottom = finite(low);
         double top = finite(high);
@@ -42,7 +45,7 @@ record Axis(double low, double high) {
     /**
      * Values of ticks, ascending, both ends included.
      *
-     * @param most number of ticks that fit, at least 2
+     * @param most maximum number of ticks, at least 2
      */
     List<Double> ticks(int most) {
         double step = step(most);
@@ -69,7 +72,7 @@ record Axis(double low, double high) {
     /**
      * The label of a tick.
      *
-     * @param most number of ticks that fit: the labels tell them apart
+     * @param most maximum number of ticks; labels have enough digits to distinguish them
      */
     String label(double tick, int most) {
         double largest = Math.max(Math.abs(low), Math.abs(high));

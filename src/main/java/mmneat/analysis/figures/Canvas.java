@@ -5,10 +5,13 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Shape;
 
-/** A surface for shapes and text, in points, the origin at the top left: an SVG document or a raster picture. */
+/**
+ * A drawing surface for shapes and text: an SVG document or a raster image. Coordinates are in points; the origin is at
+ * the top left.
+ */
 interface Canvas {
 
-    /** Which point of a text's base line stands at the given place. */
+    /** The point of a text's baseline that is placed at the given coordinates. */
     enum Align {
         START,
         MIDDLE,
@@ -24,12 +27,12 @@ interface Canvas {
     /**
      * Writes a line of text.
      *
-     * @param x horizontal place of the point of the base line that {@code align} names
-     * @param y vertical place of the base line
+     * @param x horizontal coordinate of the point of the baseline that {@code align} names
+     * @param y vertical coordinate of the baseline
      */
     void text(String text, double x, double y, Font font, Color color, Align align);
 
-    /** Writes a line of text that reads upwards; the middle of its base line stands at the given place. */
+    /** Writes a line of text that runs upwards, with the middle of its baseline at the given coordinates. */
     void textUpwards(String text, double x, double y, Font font, Color color);
 
     /** Moves the origin of everything drawn afterwards. */

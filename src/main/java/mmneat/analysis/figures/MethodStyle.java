@@ -7,8 +7,8 @@ import java.util.Optional;
 import mmneat.analysis.results.Experiment;
 
 /**
- * How a method looks, the same in every figure. Colours are those of Okabe and Ito (2008), which colour-blind readers tell
- * apart; dashes and markers do the same without colour.
+ * The colour, dash pattern and marker of a method, the same in every figure. The colours are those of Okabe and Ito
+ * (2008), which colour-blind readers can distinguish; dash patterns and markers distinguish methods without colour.
  *
  * @param color of lines and markers
  * @param dash lengths of dashes and gaps; empty for a solid line
@@ -16,10 +16,10 @@ import mmneat.analysis.results.Experiment;
  */
 record MethodStyle(Color color, float[] dash, Marker marker) {
 
-    /** The paper's data, behind ours. */
+    /** The colour of the paper's data. */
     static final Color PAPER = new Color(0xa9, 0xae, 0xb8);
 
-    /** For variants of methods and other experiments: none is the style of a published method. */
+    /** Styles of variants of methods and of other experiments. None of them is the style of a published method. */
     private static final List<MethodStyle> OTHERS = List.of(
             new MethodStyle(new Color(0xe6, 0x9f, 0x00), new float[] {9, 3, 3, 3}, Marker.PLUS),
             new MethodStyle(new Color(0x56, 0xb4, 0xe9), new float[] {5, 2}, Marker.STAR),
@@ -27,10 +27,11 @@ record MethodStyle(Color color, float[] dash, Marker marker) {
             new MethodStyle(new Color(0x99, 0x99, 0x33), new float[] {3, 5}, Marker.BAR));
 
     /**
-     * The style of an experiment among others: that of its method if it was published, else the next of a few others.
+     * The style of an experiment in a figure: the style of its method if that is published, else the next of {@link
+     * #OTHERS}.
      *
-     * @param experiments those of one figure
-     * @param place the experiment's index among them
+     * @param experiments the experiments of the figure
+     * @param place index of the experiment among them
      */
     static MethodStyle of(List<Experiment> experiments, int place) {
         Experiment experiment = experiments.get(place);
@@ -67,7 +68,7 @@ record MethodStyle(Color color, float[] dash, Marker marker) {
                 : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, dash, 0);
     }
 
-    /** The colour as a light wash, for areas. */
+    /** The light tint of the colour that fills areas. */
     Color areaColor() {
         return new Color(mixed(color.getRed()), mixed(color.getGreen()), mixed(color.getBlue()));
     }

@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import mmneat.analysis.figures.Canvas.Align;
 
-/** A chart with two axes, curves, areas, points and labels: white, with few lines and large enough letters. */
+/** A chart with two axes, curves, areas, points and labels. */
 final class Panel {
 
-    /** A line, or without a stroke the area within. */
+    /** A line; if the stroke is null, the filled area inside the line. */
     private record Curve(double[] x, double[] y, Color color, BasicStroke stroke) {}
 
     private record Points(double[] x, double[] y, MethodStyle style) {}

@@ -9,7 +9,7 @@ import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 
-/** A picture of pixels, three per point. Its text needs a font of this machine. */
+/** A raster image with three pixels per point. Its text needs a font that is installed on this machine. */
 final class RasterCanvas implements Canvas {
 
     /** Pixels per point: sharp in print at the width of a page. */
@@ -27,7 +27,7 @@ final class RasterCanvas implements Canvas {
         graphics.scale(SCALE, SCALE);
     }
 
-    /** The picture as far as it is drawn. */
+    /** The image with everything drawn so far. */
     BufferedImage image() {
         return image;
     }

@@ -9,7 +9,8 @@ import java.util.Locale;
 import mmneat.analysis.Page;
 
 /**
- * An SVG document. Text stays text: it can be searched and copied, and no font of this machine is needed to write it.
+ * An SVG document. Text is written as text elements: it can be searched and copied, and writing it needs no installed
+ * font.
  *
  * <p>Numbers are rounded to hundredths of a point.
  */
@@ -31,7 +32,7 @@ final class SvgCanvas implements Canvas {
                 height));
     }
 
-    /** The document as far as it is drawn. */
+    /** The document with everything drawn so far. */
     String document() {
         return (document + "</svg>\n").replace("\r\n", "\n");
     }

@@ -2,7 +2,7 @@ package mmneat.analysis.figures;
 
 import java.awt.Font;
 
-/** Estimated widths of text in a common sans-serif font: where an SVG is shown, its font is not known. */
+/** Estimates of the width of text in a common sans-serif font. The font in which an SVG is shown later is not known. */
 final class TextWidth {
 
     private static final String NARROW = "iljtfrI.,:;'|!()[] ";

@@ -1,2 +1,5 @@
-/** The paper's figures from our runs, with the paper's own data behind them, drawn as SVG and PNG. */
+/**
+ * Figures like those of the paper, drawn from the data of runs, with the paper's data in grey behind them, as SVG and
+ * PNG.
+ */
 package mmneat.analysis.figures;

@@ -1,2 +1,2 @@
-/** Recordings made of games that champions play, which later experiments start from. */
+/** Recordings of champions' games from which later experiments start. */
 package mmneat.analysis.recording;

@@ -3,8 +3,9 @@ package mmneat.analysis.replay;
 import java.io.ByteArrayOutputStream;
 
 /**
- * A quantity over time as differences from step to step. Values are unsigned numbers of one to three bytes; differences are
- * taken modulo 256 per byte count and stored as one plane per byte, lowest first.
+ * A quantity over time, stored as differences between consecutive steps. Values are unsigned numbers of {@code width}
+ * bytes, one to three; differences are taken modulo 256 to the power of {@code width}. They are stored as one plane per
+ * byte, lowest byte first.
  */
 final class Column {
 

@@ -10,9 +10,11 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * Thinks what the player thinks, with every node of the network, for the picture: the player itself leaves out nodes without
- * effect and activations that are not read. Draws from a generator of its own; only which of two exactly equal modules is
- * chosen could differ, and that is taken from the player.
+ * Evaluates the player's network a second time with all its nodes, to obtain every activation for the page. The
+ * player's own network omits nodes without effect and activations that are not read.
+ *
+ * <p>The evaluation draws from a generator of its own. So it may choose differently between two modules with exactly
+ * equal preferences; the recorded choice is therefore taken from the player.
  *
  * <p>Source of the order of flushing: docs/specification/mspacman-task.md, section 3.1.
  */
@@ -46,7 +48,10 @@ final class FullNetworkEvaluator {
         livesBefore = -1;
     }
 
-    /** Reads the sensors before a decision and fills in what the networks make of it. */
+    /**
+     * Reads the sensors before a decision, evaluates the network in every open direction, and stores sensor values and
+     * activations in the step.
+     */
     void evaluate(Game game, ReplayStep step) {
         flushAfterChange(game);
         sensors.observe(game);

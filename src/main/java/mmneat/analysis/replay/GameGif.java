@@ -14,8 +14,8 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * A trial of a network as an animated picture: its games as {@link TrailPicture} draws them, twice as large as the competition's view;
- * at the end of a game it says how it ended.
+ * An animated GIF of a trial of a network: its games as {@link TrailPicture} draws them, at twice the size of the
+ * competition's view. The last frames of a game name its outcome.
  *
  * <p>There are at most {@value #MOST_FRAMES} frames, of every third step or fewer, so that a whole game stays small.
  */
@@ -38,7 +38,7 @@ public final class GameGif implements EvaluationObserver {
     private final Progress progress;
     private final int expectedFrames;
 
-    /** Receives how far the picture is. */
+    /** Receives the progress of the drawing. */
     public interface Progress {
 
         /**

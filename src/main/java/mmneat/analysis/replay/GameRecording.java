@@ -18,7 +18,7 @@ import pacman.game.Game;
 /** Records a trial of a network that plays Ms. Pac-Man: one game, or the five games of the isolated version. */
 public final class GameRecording implements EvaluationObserver {
 
-    /** Characters of data with which the page stays below 3 MB. */
+    /** Maximum length of the data in characters; with it the page stays below 3 MB. */
     private static final int MOST_DATA = 2_800_000;
 
     private static final GHOST[] GHOSTS = GHOST.values();
@@ -46,7 +46,10 @@ public final class GameRecording implements EvaluationObserver {
         return record(settings, genotype, seed, title, MOST_DATA);
     }
 
-    /** As above; of games that would take more data, sensors and activations are kept every second, fourth, ... step only. */
+    /**
+     * As above, with a maximum length of the data. If a recording is longer, sensor values and activations are kept
+     * only in every second, fourth, ... step.
+     */
     static Replay record(MsPacManTaskSettings settings, Genotype genotype, long seed, ReplayTitle title, int mostData) {
         MsPacManTask task = new MsPacManTask(settings.forSingleGames());
         for (int detailEvery = 1; ; detailEvery *= 2) {
@@ -66,7 +69,7 @@ public final class GameRecording implements EvaluationObserver {
         capture(game);
     }
 
-    /** How viewers know the game of a trial; empty if it is the only one. */
+    /** The name of a game of a trial on the page; empty if it is the only game. */
     static String name(TrialGame setting) {
         if (setting.name().startsWith("GhostTask")) {
             int corner = Integer.parseInt(setting.name().substring("GhostTask".length()));
@@ -75,7 +78,7 @@ public final class GameRecording implements EvaluationObserver {
         return setting.name().equals("PillTask") ? "Pills" : setting.name();
     }
 
-    /** The step is over: what was captured before it was the state in which this decision was made. */
+    /** Records the step: the state captured before it is the state in which its decision was made. */
     @Override
     public void stepPlayed(Game game, DirectionEvaluator player) {
         MOVE made = game.getPacmanLastMoveMade();
@@ -109,7 +112,7 @@ public final class GameRecording implements EvaluationObserver {
         recorder.endGame(outcome(game, end));
     }
 
-    /** The game is at the start of a level that is never played; the picture stays at the end of the last one. */
+    /** Records the end of the last level when the game stops at the start of a level that is never played. */
     private void finishLevel(Game game) {
         step.score = game.getScore();
         if (step.choice != ReplayStep.NO_MOVE) {

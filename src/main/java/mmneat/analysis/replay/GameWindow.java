@@ -22,8 +22,8 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * Shows a trial of a network while it is played: its games as {@link TrailPicture} draws them, one after another in one window. The
- * space bar halts the game and lets it go on; closing the window ends the program.
+ * A window that shows a trial of a network while it is played, as {@link TrailPicture} draws its games. The space bar
+ * pauses and resumes the game; closing the window ends the program.
  */
 public final class GameWindow implements EvaluationObserver {
 
@@ -116,7 +116,7 @@ public final class GameWindow implements EvaluationObserver {
         }
     }
 
-    /** Where the event thread shows the picture that the playing thread drew last. */
+    /** The component in which the event thread shows the image that the playing thread drew last. */
     private static final class Canvas extends JComponent {
 
         private transient BufferedImage shown;

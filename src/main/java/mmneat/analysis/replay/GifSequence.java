@@ -16,10 +16,10 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 
 /**
- * An animated GIF that is repeated for ever, written frame by frame. All frames have the same size.
+ * A writer of an endlessly repeated animated GIF, frame by frame. All frames have the same size.
  *
- * <p>Colours are those of a fixed cube of 6 by 7 by 6. A frame holds only the rectangle in which something changed, and in it
- * only the pixels that changed, the others being transparent: this makes the file several times smaller.
+ * <p>The palette is a fixed colour cube of 6 x 7 x 6. A frame holds only the rectangle that contains all changed
+ * pixels; unchanged pixels in it are transparent. This makes the file several times smaller.
  */
 final class GifSequence implements AutoCloseable {
 
@@ -34,7 +34,7 @@ final class GifSequence implements AutoCloseable {
     private final ImageWriter writer;
     private final ImageOutputStream stream;
 
-    /** Colour numbers of the frame before, row by row; null before the first. */
+    /** Palette indices of the previous frame, row by row; null before the first frame. */
     private byte[] before;
 
     GifSequence(OutputStream out) throws IOException {
@@ -59,7 +59,7 @@ final class GifSequence implements AutoCloseable {
     /**
      * Adds a frame.
      *
-     * @param centiseconds how long it is shown
+     * @param centiseconds how long the frame is shown, in hundredths of a second
      */
     void add(BufferedImage image, int centiseconds) {
         int width = image.getWidth();

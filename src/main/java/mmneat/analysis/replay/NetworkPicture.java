@@ -9,7 +9,10 @@ import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
 import mmneat.neat.io.NetworkLabels;
 
-/** Turns a genotype into the network that the page draws; a hidden node's layer is the longest way to it from an input. */
+/**
+ * Converts a genotype into the network that the page draws. The layer of a hidden node is the length of the longest
+ * path to it from an input.
+ */
 final class NetworkPicture {
 
     private NetworkPicture() {}
@@ -26,7 +29,7 @@ final class NetworkPicture {
             if (link.active()) {
                 int source = positions.get(link.source());
                 int target = positions.get(link.target());
-                // The order of the nodes decides what a link brings, not the gene's flag: see
+                // Whether a link is recurrent follows from the order of the nodes, not from the gene's flag: see
                 // docs/specification/networks.md, section 5.
                 links.add(new ReplayNetwork.Link(source, target, link.weight(), target <= source));
             }
@@ -52,7 +55,7 @@ final class NetworkPicture {
         return new ReplayNetwork(labels.inputs(), nodes, links, labels.modules());
     }
 
-    /** Longest way from an input along forward links; nodes stand in activation order. */
+    /** Length of the longest path of forward links from an input to each node; nodes are in activation order. */
     private static double[] depths(int count, List<ReplayNetwork.Link> links) {
         double[] depth = new double[count];
         for (int node = 0; node < count; node++) {

@@ -5,13 +5,13 @@ import pacman.Recording;
 import pacman.game.Game;
 import pacman.game.GameRules;
 
-/** Makes a {@link Replay} of a game that was recorded as state strings, without knowledge of its controllers. */
+/** Converts a game that was recorded as state strings into a {@link Replay}, without knowledge of its controllers. */
 public final class RecordedStates {
 
     private RecordedStates() {}
 
     /**
-     * The recording as a replay: each state is a step, and its decision is the move that Ms. Pac-Man makes next. States after
+     * The recording as a replay. Each state becomes a step; its decision is the next move of Ms. Pac-Man. States after
      * the end of the last level are left out.
      *
      * @param rules the rules of the recorded game, or at least its mazes

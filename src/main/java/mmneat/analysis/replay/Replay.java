@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
-/** A recorded game, ready to be written as JSON for the page; see {@link ReplayRecorder}. */
+/** A recorded game that can be written as JSON for the page; made by a {@link ReplayRecorder}. */
 public final class Replay {
 
     private final Map<String, Object> header = new LinkedHashMap<>();
@@ -34,7 +34,7 @@ public final class Replay {
             ReplayNetwork network,
             List<Column> columns) {
         this.title = title;
-        // The last state of each game is the end of its last step, and no step of its own.
+        // The last state of each game is the result of its last step; it is not a step itself.
         this.steps = steps - Math.max(1, outcomes.size());
         this.finalScore = finalScore;
         header.put("heading", title.heading());
@@ -69,7 +69,7 @@ public final class Replay {
         return finalScore;
     }
 
-    /** Characters of the packed columns: nearly all of the page. */
+    /** Number of characters of the compressed columns, which are nearly all of the page. */
     int dataLength() {
         return dataLength;
     }

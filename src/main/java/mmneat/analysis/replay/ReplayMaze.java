@@ -10,7 +10,7 @@ package mmneat.analysis.replay;
  * @param down each node's neighbour below, -1 where there is a wall
  * @param pills node of each pill of the full maze
  * @param powerPills node of each power pill of the full maze
- * @param lair node in which the ghosts wait, or -1
+ * @param lair node of the lair, or -1 if there is none
  */
 public record ReplayMaze(
         int index, int[] x, int[] y, int[] right, int[] down, int[] pills, int[] powerPills, int lair) {}

@@ -7,7 +7,7 @@ import java.util.Objects;
  * The network of the player as the page draws it.
  *
  * @param inputs label of each input, in the order of the sensor values
- * @param nodes the nodes behind the inputs, in the order of the recorded activations
+ * @param nodes hidden and output nodes, in the order of the recorded activations
  * @param links all links
  * @param modules name of each output module
  */
@@ -16,9 +16,9 @@ public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> li
     /**
      * A hidden or output node.
      *
-     * @param kind what it does
+     * @param kind its role
      * @param module module of an output node, -1 for a hidden one
-     * @param layer horizontal place, 0 just behind the inputs to 1 at the outputs
+     * @param layer horizontal position from 0 (just after the inputs) to 1 (the outputs)
      */
     public record Node(Kind kind, int module, double layer) {
         public Node {
@@ -26,7 +26,7 @@ public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> li
         }
     }
 
-    /** What a node does. */
+    /** The role of a node. */
     public enum Kind {
         HIDDEN,
         POLICY,
@@ -39,7 +39,7 @@ public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> li
      * @param source number of the node it leaves
      * @param target number of the node it enters
      * @param weight as evolved
-     * @param recurrent whether it brings the activation of the step before
+     * @param recurrent whether it transmits the activation of the previous step
      */
     public record Link(int source, int target, double weight, boolean recurrent) {}
 

@@ -37,7 +37,7 @@ public final class ReplayRecorder {
     private boolean newGame = true;
     private int levelBefore;
     private int steps;
-    /** Points of the games before the present one. */
+    /** Sum of the final scores of the games before the current one. */
     private int earlierScore;
 
     private int lastScore;
@@ -54,13 +54,13 @@ public final class ReplayRecorder {
      */
     record Chapter(int step, String game, int level, int maze, int[] pills, int[] powerPills) {}
 
-    /** How a game ended, told at its last step. */
+    /** The outcome of a game, shown at its last step. */
     record Outcome(int step, String text) {}
 
     /**
      * A recorder for a player with the given network.
      *
-     * @param detailEvery how often sensors and activations are kept: 1 every step, 2 every second step, ...
+     * @param detailEvery interval in steps at which sensor values and activations are kept, at least 1
      */
     public ReplayRecorder(ReplayNetwork network, int detailEvery) {
         if (detailEvery < 1) {
@@ -82,7 +82,7 @@ public final class ReplayRecorder {
         return columns;
     }
 
-    /** Makes a maze known; each maze once, before the first step in it. */
+    /** Adds a maze; required once before the first step in it. */
     public void addMaze(ReplayMaze maze) {
         mazes.put(maze.index(), maze);
     }
@@ -92,7 +92,7 @@ public final class ReplayRecorder {
         return mazes.containsKey(index);
     }
 
-    /** The steps that follow belong to another game of this name, for example one of the five of an isolated trial. */
+    /** Starts a game: the following steps belong to it. An isolated trial, for example, has five games. */
     public void startGame(String name) {
         game = name;
         newGame = true;
@@ -100,7 +100,7 @@ public final class ReplayRecorder {
         lastScore = 0;
     }
 
-    /** Says how the game ended whose last state was just recorded, for example "caught by Blinky". */
+    /** Sets the outcome of the game whose last state was just recorded, for example "caught by Blinky". */
     public void endGame(String outcome) {
         outcomes.add(new Outcome(steps - 1, outcome));
     }
@@ -165,7 +165,11 @@ public final class ReplayRecorder {
         }
     }
 
-    /** Packs what was recorded. */
+    /**
+     * The complete recording.
+     *
+     * @throws IllegalStateException if no step was recorded
+     */
     public Replay finish(ReplayTitle title) {
         if (steps == 0) {
             throw new IllegalStateException("nothing was recorded");
@@ -197,7 +201,7 @@ public final class ReplayRecorder {
         return columns.computeIfAbsent(name, key -> new Column(key, width));
     }
 
-    /** Maps [-1, 1] to 0 ... 2 scale; a value outside is drawn as the nearest one inside. */
+    /** Maps [-1, 1] linearly to the integers from 0 to 2 x scale; values outside are clamped. */
     private static int quantise(double value, int scale) {
         return (int) Math.round((Math.max(-1, Math.min(1, value)) + 1) * scale);
     }

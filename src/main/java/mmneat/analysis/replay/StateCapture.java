@@ -17,8 +17,8 @@ final class StateCapture {
     /**
      * A capture for one recording.
      *
-     * @param recorder gets the mazes
-     * @param step gets the states
+     * @param recorder receives the mazes
+     * @param step receives the states
      */
     StateCapture(ReplayRecorder recorder, ReplayStep step) {
         this.recorder = recorder;

@@ -15,15 +15,15 @@ import pacman.game.GameView;
 import pacman.game.MachineFonts;
 
 /**
- * The competition's view of a network's game, enlarged, with Ms. Pac-Man's trail in this maze in one colour per module, which a line
- * below explains. It is drawn without a screen, by the thread that plays.
+ * An image of a network's game: the competition's view, enlarged, with Ms. Pac-Man's trail in the current maze in one
+ * colour per module, and a legend below. The playing thread draws it; no display is needed.
  */
 final class TrailPicture {
 
     private static final int DIRECTIONS = 4;
     private static final int BLACK = 0xff000000;
 
-    /** Most modules that the line below has room for. */
+    /** Maximum number of modules in the legend. */
     private static final int MOST_NAMED = 4;
 
     private static final int LINE_HEIGHT = 30;
@@ -45,9 +45,9 @@ final class TrailPicture {
     }
 
     /**
-     * Takes a step into the trail.
+     * Appends a step to the trail.
      *
-     * @return whether it is to be shown: not if the game ended by reaching the start of a level that is never played
+     * @return whether to show the step; false if the game ended at the start of a level that is never played
      */
     boolean add(Game game, DirectionEvaluator player) {
         boolean isNewLevel = game.getCurrentLevel() != level;
@@ -67,7 +67,7 @@ final class TrailPicture {
         return true;
     }
 
-    /** Paints the game as it is now; at the end of its last level the picture stays as it was. */
+    /** Paints the current state of the game. After the end of its last level the image stays unchanged. */
     void paint(Game game) {
         if (game.getCurrentLevel() == level) {
             Graphics2D graphics = image.createGraphics();
@@ -89,7 +89,7 @@ final class TrailPicture {
     }
 
     /**
-     * Draws what was painted last, and the line below.
+     * Draws the image that was painted last, and the legend below it.
      *
      * @param target of {@link #newImage}, of the same scale
      * @param title which game this is, or how it ended
@@ -123,7 +123,10 @@ final class TrailPicture {
         }
     }
 
-    /** Only what is black is painted, so that the trail lies below everything else, and older parts of it below newer ones. */
+    /**
+     * Colours only black pixels, newest steps first. So the trail lies below everything else, and older parts below
+     * newer ones.
+     */
     private void paintTrail(Game game) {
         for (int step = trail.size() - 1; step >= 0; step--) {
             int[] place = trail.get(step);

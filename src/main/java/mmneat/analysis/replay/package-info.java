@@ -1,4 +1,5 @@
 /**
- * A game to watch: recorded step by step in a compact form, written as one self-contained HTML page.
+ * Recordings of games for viewing: a compact record of every step, shown as a self-contained HTML page, an animated GIF
+ * or a window.
  */
 package mmneat.analysis.replay;

@@ -26,10 +26,10 @@ import mmneat.experiment.store.RunLayout;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.NetworkSvg;
 
-/** Writes the page about a set of experiments: one file with everything in it but the replays, which it links to. */
+/** The report of a set of experiments as one HTML file. Only the replays are separate files, to which it links. */
 public final class ExperimentReport {
 
-    /** Parameters of a run that every reader wants to know, in the order of the table. */
+    /** Names of the parameters in the table of settings, in its order. */
     private static final List<String> SETTINGS = List.of(
             "task",
             "mu",
@@ -52,7 +52,7 @@ public final class ExperimentReport {
     private static final int COLUMNS = 11;
 
     private final List<Experiment> experiments;
-    /** One per version of the task. */
+    /** One comparison per version of the task. */
     private final List<ExperimentComparison> comparisons;
 
     private final Optional<Path> jar;
@@ -62,8 +62,8 @@ public final class ExperimentReport {
     /**
      * A report.
      *
-     * @param comparisons of the experiments of each version
-     * @param jar for the classes that the runs' parameters name; empty: they are not loaded
+     * @param comparisons one per version of the task
+     * @param jar the jar with the classes that the runs' parameters name; empty if they must not be loaded
      */
     public ExperimentReport(List<Experiment> experiments, List<ExperimentComparison> comparisons, Optional<Path> jar) {
         this.jar = jar;
@@ -83,9 +83,10 @@ public final class ExperimentReport {
     }
 
     /**
-     * The page.
+     * The report as HTML.
      *
-     * @param title heading
+     * @param title heading of the page
+     * @param figures figures at its top, from {@link #figures}
      * @param replays gives the link to the replay of a run's champion, or null if it has none
      */
     public String html(String title, List<Figure> figures, BiFunction<Experiment, RunResult, String> replays) {

@@ -1,2 +1,2 @@
-/** One page about a set of experiments: settings, curves, statistics, champions. */
+/** The report of a set of experiments as a web page: figures, statistics, champions and settings. */
 package mmneat.analysis.report;

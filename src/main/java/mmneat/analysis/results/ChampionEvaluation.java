@@ -5,10 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What many games of a champion said of it; the summary that {@code evaluate} leaves in the run's folder.
+ * The summary of many games of a champion, which {@code evaluate} writes into the run's folder.
  *
  * @param network id of the champion
- * @param rules the rules that were played by: training, FourMaze or MPMvsG
+ * @param rules the rules of the games: training, FourMaze or MPMvsG
  * @param games number of games (trials)
  * @param meanScore average game score
  * @param standardDeviation deviation of the game scores, with n - 1; null for one game
@@ -37,13 +37,16 @@ public record ChampionEvaluation(
             "ghost edible, at junctions",
             "no ghost edible, at junctions");
 
-    /** What a single game says nothing about is null; the first versions of the program wrote 0 and the mean. */
+    /**
+     * Minimum number of games for a deviation and an interval; with fewer, both are null. The first versions of the
+     * program wrote 0 and the mean.
+     */
     private static final int FEWEST_FOR_DEVIATION = 2;
 
     private static final int MAZES = 4;
 
     /**
-     * A checked evaluation: it may be from a file.
+     * Checks the numbers, because they may come from a file.
      *
      * @throws IllegalArgumentException if games cannot have these numbers; the message names the first
      */
@@ -90,7 +93,7 @@ public record ChampionEvaluation(
         }
     }
 
-    /** Share of the time steps in which the most-used module decided, in percent: the paper's figures. */
+    /** Share of the time steps in which the most-used module decided, in percent, as in the paper's figures. */
     @JsonIgnore
     public double mostUsedModulePercent() {
         long[] all = moduleUse.get(0);

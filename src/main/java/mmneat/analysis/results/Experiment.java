@@ -12,11 +12,11 @@ import mmneat.experiment.parameters.PublishedTask;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * Runs that differ in nothing but the seed.
+ * Runs that differ only in the seed.
  *
  * @param version blended, interleaved, isolated, or empty for a task of the user's own
- * @param method 1M, 2M, 3M, MMD, MT, MT2, MT3, or what the folder is called
- * @param label how tables and figures call it, unique among the experiments read together
+ * @param method 1M, 2M, 3M, MMD, MT, MT2, MT3, or the name of the folder
+ * @param label name in tables and figures, unique among the experiments read together
  * @param runs its runs in the order of their numbers, at least one
  */
 public record Experiment(String version, String method, String label, List<RunResult> runs) {
@@ -43,7 +43,7 @@ public record Experiment(String version, String method, String label, List<RunRe
                 .orElse(Map.of());
     }
 
-    /** Whether this is a variant of the paper's method: a parameter that makes the method has another value. */
+    /** Whether this is a variant of the paper's method: a parameter that defines the method has another value. */
     public boolean isVariant() {
         return PublishedTask.changesTheMethod(differencesFromPaper().keySet());
     }

@@ -20,8 +20,9 @@ import mmneat.experiment.run.ExperimentView;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * Finds the experiments that a user means by a path: {@code results} is every experiment in the folders below it,
- * {@code results/blended} every method in it, {@code results/blended/2M} all runs 2M0, 2M1, ..., and the folder of a run that run.
+ * Finds the experiments that a path denotes. {@code results} denotes every experiment in the folders below it, {@code
+ * results/blended} every method in it, {@code results/blended/2M} all runs 2M0, 2M1, ..., and the folder of a run only
+ * that run.
  */
 public final class ExperimentFinder {
 
@@ -77,7 +78,7 @@ public final class ExperimentFinder {
         }
     }
 
-    /** {@code results/blended/2M} is no folder itself, but what 2M0, 2M1, ... begin with. */
+    /** Finds the folders that begin with a path: {@code results/blended/2M} is not a folder, but 2M0, 2M1, ... are. */
     private static List<Path> ofStem(Path stem) {
         Path parent = stem.toAbsolutePath().getParent();
         if (parent == null || !Files.isDirectory(parent)) {
@@ -103,7 +104,7 @@ public final class ExperimentFinder {
         return groups;
     }
 
-    /** The run's folder without its number. MT20 is run 20 of MT or run 0 of MT2: only the parameters know. */
+    /** The run's folder without its number. MT20 is run 20 of MT or run 0 of MT2; the parameters decide. */
     private static Path stem(Path folder, RunResult run) {
         String name = folder.getFileName().toString();
         String number = String.valueOf(run.number());
@@ -135,7 +136,10 @@ public final class ExperimentFinder {
         return new Experiment(version, method, name, runs);
     }
 
-    /** The shortest label that tells all apart: the method, the version and the method, the folder's name, or the folder. */
+    /**
+     * The shortest kind of label that is unique among all experiments: the method, the version and the method, the
+     * folder's name, or the folder.
+     */
     private static List<Experiment> withLabels(List<Experiment> experiments, List<Path> stems) {
         List<Function<Integer, String>> labels = List.of(
                 i -> name(experiments.get(i), stems.get(i)),

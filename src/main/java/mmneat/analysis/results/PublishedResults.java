@@ -17,7 +17,7 @@ import java.util.Map;
  */
 public final class PublishedResults {
 
-    /** What the numbers are from, for captions. */
+    /** Reference to the paper, for captions. */
     public static final String SOURCE = "Schrum and Miikkulainen 2016";
 
     /**
@@ -40,7 +40,7 @@ public final class PublishedResults {
         this.curves = curves;
     }
 
-    /** Reads the packed numbers. */
+    /** Reads the published results from the resources. */
     public static PublishedResults read() {
         List<Champion> champions = rows("champions.csv").stream()
                 .map(row -> new Champion(

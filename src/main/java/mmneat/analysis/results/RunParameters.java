@@ -17,7 +17,7 @@ import mmneat.experiment.store.RunLayout;
 /** The saved parameters of a run, ours or the original's. */
 public final class RunParameters {
 
-    /** What others read as numbers. */
+    /** Names of the parameters that must be whole numbers. */
     private static final List<String> WHOLE_NUMBERS = List.of("runNumber", "startingModes", "multitaskModes");
 
     private static final List<String> NUMBERS = List.of("mmdRate", "mmrRate");
@@ -39,7 +39,7 @@ public final class RunParameters {
     /**
      * All parameters by name; none without a folder or without a file in it.
      *
-     * @throws UserError if the file cannot be read, or one that has to be a number is none
+     * @throws UserError if the file cannot be read, or a parameter that must be a number is not one
      */
     public static Map<String, String> read(Optional<Path> folder) {
         Optional<Path> file = folder.flatMap(RunLayout::parametersIn);

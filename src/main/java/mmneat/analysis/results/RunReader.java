@@ -20,7 +20,7 @@ import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.SymbolicLinks;
 
 /**
- * Reads the folder of a run, ours or the original's: the champion's scores, the parameters, the evaluation.
+ * Reads the folder of a run of this program or of the original: the champion's scores, the parameters, the evaluation.
  */
 public final class RunReader {
 

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a run left behind.
+ * The results of a run, read from its folder.
  *
  * @param folder the run's folder
  * @param number the run's number

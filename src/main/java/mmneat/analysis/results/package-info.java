@@ -1,2 +1,2 @@
-/** What there is to analyse: the folders of finished runs, the evaluations of their champions, and the published numbers. */
+/** The data of an analysis: folders of finished runs, evaluations of their champions, and published results. */
 package mmneat.analysis.results;

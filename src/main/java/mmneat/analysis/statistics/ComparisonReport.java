@@ -6,9 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/**
- * A comparison as tables: the groups, the pairs, and, if wanted, each group beside the paper's.
- */
+/** The tables of a comparison: the groups, the pairs, and optionally each group against the paper's. */
 public final class ComparisonReport {
 
     /** The seed of all bootstrap intervals: the same table on every machine. */
@@ -152,7 +150,7 @@ public final class ComparisonReport {
         return !paper.isEmpty();
     }
 
-    /** Everything for the terminal. */
+    /** All tables as text for the terminal. */
     public String text() {
         StringBuilder text = new StringBuilder(groups().text())
                 .append('\n')
@@ -176,7 +174,7 @@ public final class ComparisonReport {
         return text.toString();
     }
 
-    /** All tables for LaTeX. */
+    /** All tables as LaTeX. */
     public String latex() {
         return Stream.of(groups(), pairs(), againstPaper())
                 .filter(table -> !table.rows().isEmpty())

@@ -2,12 +2,12 @@ package mmneat.analysis.statistics;
 
 import java.util.Locale;
 
-/** How numbers are written in tables, the same everywhere whatever the machine's language. */
+/** The format of numbers in tables, the same for every locale of the machine. */
 public final class Numbers {
 
     private Numbers() {}
 
-    /** Numbers from here on are written with an exponent, as no column is wide enough for their digits. */
+    /** From this number on, scores are written with an exponent. */
     private static final double LARGE = 1e9;
 
     /**

@@ -21,7 +21,7 @@ import org.apache.commons.statistics.inference.PValueMethod;
  */
 public record PairwiseTest(String a, String b, double u, boolean ties, Method method, double p, double effectSize) {
 
-    /** How R would get p. */
+    /** The method by which R computes p. */
     public enum Method {
         EXACT,
         NORMAL

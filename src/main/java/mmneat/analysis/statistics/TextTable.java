@@ -6,7 +6,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** Rows of cells as text in columns or as LaTeX. The first column is aligned left, all others right unless asked otherwise. */
+/**
+ * A table of texts that can be written in aligned columns or as LaTeX. The first column is aligned left, all others
+ * right by default.
+ */
 public final class TextTable {
 
     private final List<String> header;

@@ -1,11 +1,11 @@
 package mmneat.analysis.tasks;
 
 /**
- * What was counted in one game.
+ * Counts of one game.
  *
  * @param steps decisions of the player, at least 1
- * @param switches steps in which other tasks were to be done than in the step before; steps without any task continue the last
- *     ones
+ * @param switches steps in which other tasks were to be done than in the step before; steps without any task continue
+ *     the last ones
  * @param overlaps at index [i][j]: steps in which tasks i and j were both to be done; at [i][i]: steps of task i
  * @param overlapping steps in which two or more tasks were to be done
  * @param score points of the game

@@ -11,9 +11,9 @@ import mmneat.mspacman.modules.ModuleDivisions;
 import mmneat.mspacman.sensors.Observation;
 
 /**
- * A human's division of the game into tasks.
+ * A division of the game into tasks, as a designer defines it.
  *
- * @param name as users write it
+ * @param name the name, as written by users
  * @param tasks at least two, at most 31
  */
 public record TaskDivision(String name, List<TaskPredicate> tasks) {
