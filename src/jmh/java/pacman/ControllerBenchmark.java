@@ -21,7 +21,7 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Steps per second of games between example controllers, as {@link Executor} plays them and in the plain loop. */
+/** Measures steps per second of games between example controllers, played by {@link Executor} and by the plain loop. */
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
 @Warmup(iterations = 5, time = 2)
@@ -30,7 +30,7 @@ import pacman.game.Game;
 @State(Scope.Thread)
 public class ControllerBenchmark {
 
-    /** Steps that one call plays; over several games, where they end. */
+    /** Number of steps of one call; when a game ends, the next one starts. */
     private static final int STEPS = 10_000;
 
     private final ResumableRandom seeds = new ResumableRandom(1);

@@ -13,8 +13,8 @@ import java.util.zip.ZipInputStream;
 /**
  * The recorded outputs of the original, for conformance tests: one folder per part.
  *
- * <p>The full data are in the folder that the system property {@code golden.dir} names. Without that folder the tests read
- * the compact form in {@code src/test/resources/conformance}; its README says what differs.
+ * <p>The full data are in the folder that the system property {@code golden.dir} names. Without that folder the tests
+ * read the compact form in {@code src/test/resources/conformance}; its README says what differs.
  */
 public final class GoldenData {
 

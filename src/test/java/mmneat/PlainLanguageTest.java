@@ -14,7 +14,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Rules of style that a program can check: vague pronouns, long lines and long sentences. CONTRIBUTING.md has the rules.
+ * Rules of style that a program can check: vague pronouns, long lines and long sentences. CONTRIBUTING.md has the
+ * rules.
  *
  * <p>The specification is exempt from the length of sentences: a rule with all its conditions may be one sentence.
  */

@@ -17,8 +17,8 @@ import org.junit.platform.launcher.TestIdentifier;
 import org.junit.platform.launcher.TestPlan;
 
 /**
- * Writes which tests were skipped, and why, into the file that the system property {@code skipped.tests} names; the build shows it
- * at its end.
+ * Writes which tests were skipped, and why, into the file that the system property {@code skipped.tests} names; the
+ * build shows it at its end.
  */
 public final class SkippedTests implements TestExecutionListener {
 

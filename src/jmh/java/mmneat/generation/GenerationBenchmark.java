@@ -22,9 +22,9 @@ import java.util.stream.Stream;
 /**
  * Measures whole generations of real runs: evaluation, reproduction, selection and commit, resumed from checkpoints.
  *
- * <p>Each checkpoint is continued in a new process. Its first generation warms the process up; the following ones are
- * measured by processor time, which other work on the machine affects less than elapsed time. With a second jar, both take
- * turns, and must reach the same scores in the same number of steps.
+ * <p>Each checkpoint is continued in a new process. Its first generation is the warm-up. The following generations are
+ * measured by processor time, which other work on the machine affects less than elapsed time. With a second jar, both
+ * jars alternate, and must reach the same scores in the same number of steps.
  */
 final class GenerationBenchmark {
 
@@ -70,7 +70,7 @@ final class GenerationBenchmark {
     }
 
     /**
-     * Measures.
+     * Measures all checkpoints.
      *
      * @param arguments the folder of the checkpoints, and options as {@code name=value}
      */
@@ -148,7 +148,7 @@ final class GenerationBenchmark {
         return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
     }
 
-    /** Continues a checkpoint in a process of its own; returns thousand steps per second of processor time. */
+    /** Continues a checkpoint in a separate process, and returns thousand steps per second of processor time. */
     private double run(Path checkpoint, Path base, String classPath) throws IOException, InterruptedException {
         String[] words =
                 checkpoint.getFileName().toString().replace(".json.gz", "").split("-");

@@ -12,9 +12,9 @@ import java.util.regex.Pattern;
 /**
  * Runs the program in this process and prints the processor time at the end of each generation.
  *
- * <p>The program is whichever version stands on the class path: it is started by its main method, and the run's folder tells
- * when a generation is over. A line of output is: {@code generation NUMBER NANOSECONDS STEPS}, where the processor time is that
- * of all threads since the process started, and steps are those that the process has played.
+ * <p>The program is the version on the class path. It is started by its main method; the files of the run show when a
+ * generation is over. A line of output is {@code generation NUMBER NANOSECONDS STEPS}: processor time of all threads
+ * since the process started, and steps played by the process.
  */
 final class GenerationRun {
 
@@ -33,9 +33,9 @@ final class GenerationRun {
     }
 
     /**
-     * Does a run.
+     * Executes a run.
      *
-     * @param arguments the run's folder, its first generation, and what the program is started with
+     * @param arguments the run's folder, its first generation, and the program's arguments
      */
     public static void main(String[] arguments) throws Exception {
         GenerationRun run = new GenerationRun(Path.of(arguments[0]), Integer.parseInt(arguments[1]));
@@ -44,7 +44,7 @@ final class GenerationRun {
         watcher.start();
         Runtime.getRuntime().addShutdownHook(new Thread(run::look));
         String[] rest = java.util.Arrays.copyOfRange(arguments, 2, arguments.length);
-        // By name: the class comes from the jar that is measured.
+        // By name, because the class is in the measured jar.
         Class.forName("mmneat.cli.Main").getMethod("main", String[].class).invoke(null, (Object) rest);
     }
 
@@ -59,14 +59,17 @@ final class GenerationRun {
         }
     }
 
-    /** Prints a line if a generation has ended since the last look; the status is the last file that a generation writes. */
+    /**
+     * Prints a line if a generation has ended since the last check. The status is the last file that a generation
+     * writes.
+     */
     private synchronized void look() {
         long time = processorTime();
         String status;
         try {
             status = Files.readString(folder.resolve("status.json"), StandardCharsets.UTF_8);
         } catch (IOException e) {
-            // Not written yet, or just being replaced.
+            // The file does not exist yet, or is just being replaced.
             return;
         }
         int generation = (int) number(Pattern.compile("\"generation\" : (\\d+)"), status);

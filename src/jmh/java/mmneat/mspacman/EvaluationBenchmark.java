@@ -17,8 +17,8 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 
 /**
- * Whole evaluations on one thread: game steps per second, the number that decides how long an experiment takes. A different
- * network each time, as in evolution.
+ * Measures game steps per second of whole evaluations on one thread, which determine the duration of an experiment.
+ * Each evaluation has another network, as in evolution.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)
@@ -31,7 +31,7 @@ public class EvaluationBenchmark {
     @Param({"BLENDED", "ISOLATED"})
     public TaskVersion version;
 
-    /** The paper's sensors, or separate ones for threats and edible ghosts. */
+    /** The paper's sensors, or separate sensors for threats and edible ghosts. */
     @Param({"PUBLISHED", "SPLIT"})
     public Sensors sensors;
 
@@ -45,7 +45,7 @@ public class EvaluationBenchmark {
     @Param({"MUTATED_30_TIMES", "CHAMPION_SIZED"})
     public Networks networks;
 
-    /** How networks came about. */
+    /** The origin of the networks. */
     public enum Networks {
         MUTATED_30_TIMES,
         CHAMPION_SIZED
@@ -65,7 +65,7 @@ public class EvaluationBenchmark {
         random = new ResumableRandom(4);
     }
 
-    /** Counts game steps beside evaluations. */
+    /** Counts game steps in addition to evaluations. */
     @AuxCounters(AuxCounters.Type.OPERATIONS)
     @State(Scope.Thread)
     public static class Counters {

@@ -51,7 +51,7 @@ final class EvaluationWorkload {
         };
     }
 
-    /** Networks of two modules with so many mutations behind them, as in an early generation. */
+    /** Creates networks of two modules by a number of mutations, as in an early generation. */
     static List<Genotype> mutated(int inputs, int count, int mutations) {
         ResumableRandom random = new ResumableRandom(1);
         List<Genotype> networks = new ArrayList<>();
@@ -88,7 +88,7 @@ final class EvaluationWorkload {
         return network.links().stream().filter(LinkGene::active).count();
     }
 
-    /** Random places, since a recording is data of an experiment: ghosts anywhere in the maze. */
+    /** Returns random ghost locations, because a recording would be data of an experiment. */
     private static GhostLocations anyGhostLocations() {
         ResumableRandom random = new ResumableRandom(3);
         StringBuilder text = new StringBuilder();

@@ -19,7 +19,10 @@ import pacman.controllers.examples.RandomPacMan;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.MOVE;
 
-/** Steps, copies and path queries of the engine. Run with {@code -prof gc}: stepping and path lengths allocate nothing. */
+/**
+ * Measures steps, copies and path queries of the engine. Run with {@code -prof gc}: stepping and path lengths allocate
+ * nothing.
+ */
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
 @Warmup(iterations = 5, time = 2)
@@ -28,7 +31,7 @@ import pacman.game.Constants.MOVE;
 @State(Scope.Thread)
 public class EngineBenchmark {
 
-    /** Steps that one call plays; over several games, where they end. */
+    /** Number of steps of one call; when a game ends, the next one starts. */
     private static final int STEPS = 10_000;
 
     private static final int QUERIES = 1 << 16;
@@ -53,7 +56,7 @@ public class EngineBenchmark {
         }
     }
 
-    /** Random Ms. Pac-Man against Legacy in one game object that starts again: nothing but decisions and steps. */
+    /** Random Ms. Pac-Man against Legacy in one game object that is restarted: only decisions and steps. */
     @Benchmark
     @OperationsPerInvocation(STEPS)
     public int steps() {
@@ -69,7 +72,7 @@ public class EngineBenchmark {
         return game.getScore();
     }
 
-    /** The same with the two copies per step that the competition's loop makes. */
+    /** As {@link #steps}, with the two copies per step of the competition's loop. */
     @Benchmark
     @OperationsPerInvocation(STEPS)
     public int stepsWithTwoCopies() {
@@ -82,10 +85,10 @@ public class EngineBenchmark {
         return game.getScore();
     }
 
-    /** A game some way into its first level. */
+    /** A game in the middle of its first level. */
     @State(Scope.Thread)
     public static class CopiedGame {
-        /** Which random numbers its copies draw. */
+        /** The random numbers that its copies draw. */
         @Param({"ARE_INDEPENDENT", "CONTINUE_THE_GAME"})
         public GameRules.Copies copies;
 
@@ -117,7 +120,7 @@ public class EngineBenchmark {
         return sum;
     }
 
-    /** Moves towards a target by path distance, for something that does not turn back. */
+    /** Moves towards a target by path distance without turning back. */
     @Benchmark
     @OperationsPerInvocation(QUERIES)
     public int nextMoves() {

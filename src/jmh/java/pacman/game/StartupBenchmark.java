@@ -14,8 +14,8 @@ import pacman.game.Constants.MOVE;
 import pacman.maze.MazeTables;
 
 /**
- * From nothing to the first answers in all four mazes: drawings, graphs, distances, paths and what entries see of them. One
- * cold call in each new Java process.
+ * Measures the time from process start to the first queries in all four mazes: drawings, graphs, distances, paths and
+ * the competition's interface. Each call is in a new Java process.
  */
 @BenchmarkMode(Mode.SingleShotTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)

@@ -21,8 +21,8 @@ import picocli.CommandLine.ParameterException;
  * <ul>
  *   <li>{@code games:3}, the original's form, becomes {@code games=3} if the command has an option {@code games}.
  *   <li>An option given twice keeps its last value; a remark says so.
- *   <li>A word that is neither an option nor a positional parameter of the command is an error; its message suggests the
- *       nearest name. Without this, picocli would treat {@code sed=1} as a file name.
+ *   <li>A word that is neither an option nor a positional parameter of the command is an error; its message suggests
+ *       the nearest name. Without this, picocli would treat {@code sed=1} as a file name.
  * </ul>
  */
 final class ArgumentSyntax implements IParameterPreprocessor {

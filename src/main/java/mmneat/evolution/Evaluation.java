@@ -51,8 +51,8 @@ public record Evaluation(double[] objectives, double[] otherScores, int[] module
     }
 
     /**
-     * How the trials of an evaluation ended, and what they cost. An episodic task counts one of the first three per
-     * episode; others may leave them 0.
+     * Counts of how the trials of an evaluation ended, and of simulated steps. An episodic task counts one of the first
+     * three per episode; others may leave them 0.
      *
      * @param succeeded episodes with everything done (all levels beaten)
      * @param timedOut episodes ended by a time limit

@@ -47,7 +47,7 @@ public record TugSettings(
     }
 
     /**
-     * How the population's scores are summarised.
+     * The statistics that summarise the population's scores.
      *
      * @param performance the performance of the population ({@code tugPerformanceStat})
      * @param target the score towards which goals move ({@code tugGoalTargetStat})
@@ -55,7 +55,7 @@ public record TugSettings(
      */
     public record Statistics(ScoreStatistic performance, ScoreStatistic target, double recency) {}
 
-    /** How goals rise. */
+    /** The rule by which goals rise. */
     public sealed interface Increase {
 
         /**

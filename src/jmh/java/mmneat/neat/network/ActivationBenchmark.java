@@ -18,7 +18,10 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** One step of a network whose answer is read, on inputs that change from step to step; and compiling a network. */
+/**
+ * Measures one step of a network whose output is used, with inputs that change from step to step, and the compilation
+ * of a network.
+ */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
 @Warmup(iterations = 5, time = 1)
@@ -27,7 +30,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @State(Scope.Thread)
 public class ActivationBenchmark {
 
-    /** Different networks, so that the processor cannot learn one by heart. */
+    /** Number of different networks, so that the processor's predictors cannot adapt to one. */
     private static final int NETWORKS = 16;
 
     private static final int ROWS = 256;
@@ -36,7 +39,10 @@ public class ActivationBenchmark {
     private static final int CORRIDOR = 0b0101;
     private static final int JUNCTION = 0b0111;
 
-    /** "champion": 25 hidden neurons and 180 links; "young": 6 and 75; "evolved": the champion of a whole run, 12 and 84. */
+    /**
+     * "champion": 25 hidden neurons and 180 links; "young": 6 and 75; "evolved": the champion of a whole run, 12 and
+     * 84.
+     */
     @Param({"champion", "young", "evolved"})
     String size;
 
@@ -48,7 +54,7 @@ public class ActivationBenchmark {
     private final ResumableRandom random = new ResumableRandom(1);
     private int step;
 
-    /** Makes the networks and rows of inputs of which a third is 0, as of sensors. */
+    /** Creates the networks, and rows of inputs of which a third is 0, as with sensors. */
     @Setup
     public void prepare() {
         SplittableRandom sizes = new SplittableRandom(1);
@@ -76,7 +82,7 @@ public class ActivationBenchmark {
         };
     }
 
-    /** One step as a game makes it: activations of the input neurons come from tables. */
+    /** One step as in a game, with activations of the input neurons from tables. */
     @Benchmark
     public double activateFromInputActivations() {
         NetworkState state = nextState();
@@ -84,7 +90,7 @@ public class ActivationBenchmark {
         return state.policyOutput(0);
     }
 
-    /** One step from raw inputs, thirty tanh more. */
+    /** One step from raw inputs, with thirty more tanh. */
     @Benchmark
     public double activate() {
         NetworkState state = nextState();
@@ -92,13 +98,15 @@ public class ActivationBenchmark {
         return state.policyOutput(0);
     }
 
-    /** The two directions of a corridor together, and which of them has the higher answer: all that a game asks. */
+    /**
+     * The two directions of a corridor together, and the choice of the direction with the higher output, as in a game.
+     */
     @Benchmark
     public int activateCorridor() {
         return activateTogether(CORRIDOR);
     }
 
-    /** The same for the three directions of a junction. */
+    /** As {@link #activateCorridor}, for the three directions of a junction. */
     @Benchmark
     public int activateJunction() {
         return activateTogether(JUNCTION);
@@ -112,13 +120,13 @@ public class ActivationBenchmark {
         return together.clearlyHighest(which, 0);
     }
 
-    /** A network keeps its turn for a game's worth of steps. */
+    /** Returns the next state; a network is used for the number of steps of a game. */
     private NetworkState nextState() {
         step++;
         return states[step >>> 10 & (NETWORKS - 1)];
     }
 
-    /** From genotype to network. */
+    /** Compiles a genotype to a network. */
     @Benchmark
     public Network compile() {
         return Network.compile(genotypes[step++ & (NETWORKS - 1)]);

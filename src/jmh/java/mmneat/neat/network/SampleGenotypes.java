@@ -11,8 +11,8 @@ import mmneat.neat.NodeGene;
 import mmneat.neat.NodeType;
 
 /**
- * Deterministic genotypes of a given size, grown as evolution grows them: from a network of inputs and outputs by splicing
- * links and adding links between random nodes, recurrent ones included. For benchmarks and tests.
+ * Deterministic genotypes of a given size for benchmarks and tests. They grow as in evolution: from a network of inputs
+ * and outputs, by splicing links and adding links between random nodes, including recurrent links.
  */
 public final class SampleGenotypes {
 
@@ -36,7 +36,9 @@ public final class SampleGenotypes {
         return grown(random, CHAMPION_INPUTS, withPreference(2), 25, 180);
     }
 
-    /** A two-module network as after some thirty mutations: 30 inputs, 4 outputs, 6 hidden neurons, 75 active links. */
+    /**
+     * A two-module network as after about thirty mutations: 30 inputs, 4 outputs, 6 hidden neurons, 75 active links.
+     */
     public static Genotype young(RandomGenerator random) {
         return grown(random, CHAMPION_INPUTS, withPreference(2), 6, 75);
     }
@@ -49,7 +51,7 @@ public final class SampleGenotypes {
     /**
      * A network of the given size.
      *
-     * @param activeLinks wanted number of active links; there are fewer if no more fit, more if the start has more
+     * @param activeLinks number of active links; fewer if no more are possible, more if the initial network has more
      */
     public static Genotype grown(RandomGenerator random, int inputs, ModuleLayout layout, int hidden, int activeLinks) {
         return new SampleGenotypes(random, inputs, layout).grow(hidden, activeLinks);

@@ -15,7 +15,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** One hyperbolic tangent: {@link Tanh} and {@link RoughTanh} against the Java library's. */
+/** Measures the hyperbolic tangents {@link Tanh} and {@link RoughTanh} against the Java library's. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
 @Warmup(iterations = 5, time = 1)
@@ -72,7 +72,7 @@ public class TanhBenchmark {
         return results;
     }
 
-    /** Ours, each argument depending on the result before. */
+    /** Ours, each argument depending on the previous result. */
     @Benchmark
     @OperationsPerInvocation(ARGUMENTS)
     public double fastInChain() {

@@ -20,8 +20,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * One generation of 100 children from 100 parents of a champion's size: 30 inputs, two modules, 25 hidden neurons, 180 links
- * on average; two thirds of the children by crossover.
+ * Measures the reproduction of 100 children from 100 parents of a champion's size: 30 inputs, two modules, 25 hidden
+ * neurons, 180 links on average; two thirds of the children by crossover.
  */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -40,7 +40,9 @@ public class ReproductionBenchmark {
     private Reproduction reproduction;
     private ResumableRandom random;
 
-    /** Breeds at random from one population, so that parents share genes and the archetype is as long as in a run. */
+    /**
+     * Reproduces at random from one population, so that parents share genes and the archetype is as long as in a run.
+     */
     @Setup
     public void growParents() {
         random = new ResumableRandom(1);

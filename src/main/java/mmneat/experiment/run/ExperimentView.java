@@ -168,9 +168,9 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
     }
 
     /**
-     * What the file says.
+     * The content of the file of requested runs.
      *
-     * @param saveTo what the folders of the runs are called, without their numbers
+     * @param saveTo name of the runs' folders, without their numbers
      * @param runs numbers of the runs
      */
     private record AskedRuns(String saveTo, SortedSet<Integer> runs) {

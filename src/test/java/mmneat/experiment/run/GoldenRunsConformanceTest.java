@@ -14,8 +14,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The sixteen published command lines write the original's files, byte for byte: golden/runs. So do the runs of golden/logs,
- * other options and another seed. In the compact data the isolated runs are this program's, with its own ghost locations.
+ * The sixteen published command lines write the original's files, byte for byte: golden/runs. So do the runs of
+ * golden/logs, other options and another seed. In the compact data the isolated runs are this program's, with its own
+ * ghost locations.
  */
 @Tag("conformance")
 class GoldenRunsConformanceTest {
