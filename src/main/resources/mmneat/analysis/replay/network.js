@@ -118,8 +118,8 @@ class NetworkView {
     if (evaluated !== decided) {
       c.fillStyle = "#8f99bd"; c.textAlign = "left"; c.textBaseline = "middle"; c.font = "12px system-ui, sans-serif";
       const late = decided - evaluated, steps = Math.abs(late) === 1 ? "step" : "steps";
-      const when = late > 0 ? `${late} ${steps} ago` : `in ${-late} ${steps}`;
-      c.fillText(fit(c, this.at.small ? "wall, " + when : `${DIRECTION_SIGNS[direction]} is a wall; values of the network ${when}`, width - this.at.first - 14), this.at.first + 8, 12);
+      const when = late > 0 ? `of ${late} ${steps} ago` : `in ${-late} ${steps}`;
+      c.fillText(fit(c, this.at.small ? `wall; ${when}` : `${DIRECTION_SIGNS[direction]} is a wall; activations ${when}`, width - this.at.first - 14), this.at.first + 8, 12);
     }
   }
 
