@@ -1,0 +1,7 @@
+/**
+ * Example controllers of Ms.&nbsp;Pac-Man and of the ghosts, among them the ghost team of the published experiments,
+ * {@link pacman.controllers.examples.Legacy}.
+ *
+ * <p>Source: docs/specification/controllers.md, section 5.
+ */
+package pacman.controllers.examples;

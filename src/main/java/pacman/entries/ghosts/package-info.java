@@ -1,0 +1,4 @@
+/**
+ * The skeleton of a competition entry that controls the ghosts.
+ */
+package pacman.entries.ghosts;

@@ -1,0 +1,4 @@
+/**
+ * The skeleton of a competition entry that controls Ms.&nbsp;Pac-Man.
+ */
+package pacman.entries.pacman;
