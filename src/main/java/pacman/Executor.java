@@ -24,7 +24,7 @@ import pacman.game.GameRules;
 import pacman.game.GameView;
 
 /**
- * Plays games between two controllers: untimed, timed, shown, recorded.
+ * Plays games between two controllers: without a time limit or in real time, shown in a window, or recorded.
  *
  * <p>In untimed games an exception of a controller leaves the method; it carries a {@link ControllerFailure} that names
  * the controller. In timed games it ends the controller's thread, whose name Java prints with it, and the game

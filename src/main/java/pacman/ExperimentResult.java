@@ -3,7 +3,7 @@ package pacman;
 import java.util.List;
 
 /**
- * The scores of the games of an experiment.
+ * The scores of a series of games between two controllers.
  *
  * @param scores the score of each game, in the order of the games; at least one
  * @param steps total steps of all games

@@ -4,7 +4,7 @@ import java.util.function.Supplier;
 import pacman.controllers.Controller;
 
 /**
- * One side of a contest: Ms. Pac-Man's controller or the ghosts' controller.
+ * One side of a contest, with a factory of its controllers.
  *
  * @param <T> {@code MOVE} for Ms. Pac-Man, {@code EnumMap<GHOST, MOVE>} for the ghosts
  * @param name name in reports

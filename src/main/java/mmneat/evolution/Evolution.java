@@ -15,7 +15,8 @@ import mmneat.nsga2.Variation;
 import mmneat.random.ResumableRandom;
 
 /**
- * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II, optionally with the objectives that TUG chooses.
+ * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II, optionally with the objectives that TUG chooses. For
+ * a new evolution call {@link #of}; a constructor continues from a saved {@link EvolutionState}.
  *
  * <p>Parents are evaluated anew in every generation: a score is never carried over, so the scheme is elitist only with
  * respect to the current generation's noisy scores. After the last generation the final parents are evaluated once

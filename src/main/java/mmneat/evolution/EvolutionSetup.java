@@ -11,8 +11,8 @@ import mmneat.neat.variation.MutationRates;
 import mmneat.neat.variation.VariationSettings;
 
 /**
- * A builder of an evolution. Settings that are not set are those of the published experiments ({@link
- * EvolutionSettings#published}).
+ * A builder of an evolution, started by {@link Evolution#of} and finished by {@link #run}. Settings that are not set
+ * are those of the published experiments ({@link EvolutionSettings#published}).
  *
  * <p>The task reports how often each module was chosen ({@link Evaluation#moduleUsage}); module mutation uses these
  * counts.

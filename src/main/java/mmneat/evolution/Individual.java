@@ -4,7 +4,7 @@ import java.util.Objects;
 import mmneat.neat.Genotype;
 
 /**
- * A genotype that has been evaluated.
+ * A genotype with its evaluation.
  *
  * @param genotype the genotype, with the module usage of this evaluation
  * @param evaluation its scores

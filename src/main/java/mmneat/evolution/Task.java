@@ -6,7 +6,8 @@ import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
 /**
- * The domain for which networks are evolved: it evaluates genotypes.
+ * The domain for which networks are evolved: it evaluates genotypes. Implement this interface for your own domain, or
+ * call {@link #of} with an evaluation function.
  *
  * <p>An instance is used by one thread at a time. All methods except {@link #evaluate} always return the same values.
  * An evaluation depends only on the genotype and the generator, so that a run can be repeated and resumed.

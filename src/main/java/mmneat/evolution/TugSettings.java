@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.stream.DoubleStream;
 
 /**
- * The settings of {@link Tug}. The names in brackets are the parameters.
+ * The settings of targeting unachieved goals ({@link Tug}). The names in brackets are the parameters.
  *
  * <p>Source: docs/specification/original-options.md, section 4.1.
  *

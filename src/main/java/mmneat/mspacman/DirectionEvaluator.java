@@ -13,8 +13,8 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * The player of Ms. Pac-Man: activates a network once per open direction and chooses the direction with the highest
- * output.
+ * The player of Ms.&nbsp;Pac-Man: activates a network once per open direction and chooses the direction with the
+ * highest output.
  *
  * <p>Every direction has its own network state, which is kept while the direction stays open. Directions are numbered
  * UP 0, RIGHT 1, DOWN 2, LEFT 3. Not thread-safe; a step allocates nothing.

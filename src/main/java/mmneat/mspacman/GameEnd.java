@@ -4,7 +4,7 @@ package mmneat.mspacman;
 public enum GameEnd {
     /** The last level was finished. */
     ALL_LEVELS_BEATEN,
-    /** Ms. Pac-Man was caught in her last life. */
+    /** Ms.&nbsp;Pac-Man was caught in her last life. */
     LOST_ALL_LIVES,
     /** The player requested the end because the level took too long. */
     LEVEL_TIME_LIMIT,

@@ -24,7 +24,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * The task of the paper: networks play Ms. Pac-Man. An evaluation plays several trials and aggregates their scores.
+ * The task of the paper: networks play Ms.&nbsp;Pac-Man. An evaluation plays several trials and aggregates their
+ * scores.
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 2 and 5.
  */

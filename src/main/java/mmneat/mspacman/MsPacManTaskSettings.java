@@ -11,7 +11,7 @@ import pacman.game.GameSwitch;
 import pacman.game.GhostLocations;
 
 /**
- * The settings of an evaluation in the Ms. Pac-Man task. Immutable.
+ * The settings of an evaluation in the Ms.&nbsp;Pac-Man task. Immutable.
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 1, 2 and 7.
  *

@@ -8,9 +8,10 @@ import java.util.Set;
 /**
  * The counters of innovation numbers and genotype ids, and the archetype, which the genotypes of one population share.
  *
- * <p>A pool is used by one run and one thread. A pool resumed from its state continues exactly. A pool and its
- * genotypes belong together: in another pool, the same innovation number means another structure. Reproduction
- * therefore refuses genotypes that it can tell to be from another pool.
+ * <p>{@link #foundedOn} makes the pool of a new population, {@link #resume} that of a saved one. A pool is used by one
+ * run and one thread. A pool resumed from its state continues exactly. A pool and its genotypes belong together: in
+ * another pool, the same innovation number means another structure. Reproduction therefore refuses genotypes that it
+ * can tell to be from another pool.
  *
  * <p>Source: docs/specification/networks.md, sections 4 and 10.
  */

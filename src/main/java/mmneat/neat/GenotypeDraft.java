@@ -6,7 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A mutable genotype, which reproduction changes until it is finished as an offspring.
+ * A mutable genotype. Reproduction copies a parent ({@link #copyOf}), mutation operators change the copy, and {@link
+ * #finish} returns the offspring.
  *
  * <p>Node order, link order and counts are those of {@link Genotype}; during a module mutation the outputs may be
  * incomplete modules.

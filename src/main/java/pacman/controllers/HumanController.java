@@ -5,8 +5,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * The controller of a human player, who moves Ms. Pac-Man with the arrow keys. The executor attaches {@link #input} to
- * the game's window in timed games.
+ * The controller of a human player, who moves Ms.&nbsp;Pac-Man with the arrow keys. The executor attaches {@link
+ * #input} to the game's window in timed games.
  */
 public class HumanController extends Controller<MOVE> {
 

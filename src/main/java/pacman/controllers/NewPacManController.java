@@ -4,7 +4,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * A Ms. Pac-Man controller that returns a direction number and can request the end of the game.
+ * A Ms.&nbsp;Pac-Man controller that returns a direction number and can request the end of the game.
  *
  * <p>An exception in {@link #getAction} is printed, and the stored answer of the last timed decision is used instead.
  * In untimed games there is no such answer, which ends the game under MM-NEAT's rules.

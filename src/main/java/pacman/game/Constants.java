@@ -1,7 +1,7 @@
 package pacman.game;
 
 /**
- * The constants of the Ms. Pac-Man vs Ghosts competition (release 6.2) that controllers use.
+ * The constants of the Ms.&nbsp;Pac-Man vs Ghosts competition (release 6.2) that controllers use.
  *
  * <p>They are compile-time constants with the competition's values. Values that rules can change (lives, edible time,
  * ...) are read from {@link GameRules}, never from here. Times are in game steps of 40 ms, distances in nodes.
@@ -36,7 +36,7 @@ public final class Constants {
     public static final int AWARD_LIFE_LEFT = 800;
     /** Score at which an extra life is given. */
     public static final int EXTRA_LIFE_SCORE = 10000;
-    /** Path distance up to which Ms. Pac-Man and a ghost meet. */
+    /** Path distance up to which Ms.&nbsp;Pac-Man and a ghost meet. */
     public static final int EAT_DISTANCE = 2;
 
     public static final int NUM_GHOSTS = 4;

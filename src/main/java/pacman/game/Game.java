@@ -15,7 +15,7 @@ import pacman.maze.MazePoses;
 import pacman.maze.MazeTables;
 
 /**
- * A game of Ms. Pac-Man vs Ghosts: the competition's interface on top of the engine.
+ * A game of Ms.&nbsp;Pac-Man vs Ghosts: the competition's interface on top of the engine.
  *
  * <p>Usually a loop calls both controllers, each with its own {@link #copy()}, and passes the answers to {@link
  * #advanceGame}, until {@link #gameOver()}. Times are in game steps, path distances in nodes, other distances in
@@ -211,7 +211,7 @@ public final class Game {
         updateGame();
     }
 
-    /** Ms. Pac-Man's part of a step: she moves and eats a pill on her node. */
+    /** Ms.&nbsp;Pac-Man's part of a step: she moves and eats a pill on her node. */
     public void updatePacMan(MOVE pacManMove) {
         GameStep.updatePacMan(state, GhostMoves.request(pacManMove));
     }
@@ -259,8 +259,8 @@ public final class Game {
     }
 
     /**
-     * The part of a step after the moves: meetings of ghosts and Ms. Pac-Man, lair times, clocks, the end of level and
-     * game.
+     * The part of a step after the moves: meetings of ghosts and Ms.&nbsp;Pac-Man, lair times, clocks, the end of level
+     * and game.
      */
     public void updateGame() {
         updateGame(true, true, true, true, true);
@@ -802,7 +802,7 @@ public final class Game {
         return state.ghostMove(ghost);
     }
 
-    /** Ms. Pac-Man's last move: 0 up, 1 right, 2 down, 3 left, 4 none. */
+    /** Ms.&nbsp;Pac-Man's last move: 0 up, 1 right, 2 down, 3 left, 4 none. */
     public int pacManLastMove() {
         return MazePoses.move(state.pacManPose);
     }

@@ -8,8 +8,9 @@ import pacman.game.internal.Maze;
 import pacman.maze.MazeTables;
 
 /**
- * The rules of a game. Immutable; the methods {@code with...} return changed copies, as in {@code
- * GameRules.competition().withLevels(levels -> levels.withLives(1))}.
+ * The rules of a game. Start from a preset such as {@link #competition} or {@link #blended}. Immutable; the methods
+ * {@code with...} return changed copies, as in {@code GameRules.competition().withLevels(levels ->
+ * levels.withLives(1))}.
  *
  * <p>Source: docs/specification/simulator.md, sections 2 and 7; docs/specification/controllers.md, section 1.3.
  *

@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Optional rules that MM-NEAT's tasks switch on for a game.
+ * Optional rules that MM-NEAT's tasks switch on for a game: in {@link GameRules}, or by setters of {@link Game}.
  *
  * <p>Source: docs/specification/simulator.md, section 7.
  */

@@ -29,7 +29,7 @@ import pacman.game.internal.Maze;
 import pacman.game.internal.Node;
 
 /**
- * The view of a game: maze, pills, Ms. Pac-Man, ghosts, and debug drawings of controllers.
+ * The view of a game: maze, pills, Ms.&nbsp;Pac-Man, ghosts, and debug drawings of controllers.
  *
  * <p>Part of the competition's programming interface, in which debug drawing is static: controllers in any thread add
  * squares and lines, each shown in one painting. Without a view they are dropped; at most {@value #DEBUG_LIMIT} of each
@@ -354,7 +354,7 @@ public final class GameView extends JComponent {
 
         public Images() {}
 
-        /** Ms. Pac-Man facing a direction; the game step chooses how far her mouth is open. */
+        /** Ms.&nbsp;Pac-Man facing a direction; the game step chooses how far her mouth is open. */
         public BufferedImage getPacMan(MOVE move, int time) {
             return sprites.pacMan(move, time);
         }

@@ -72,7 +72,7 @@ public final class ControllerLoader {
     }
 
     /**
-     * Returns a factory of controllers of Ms. Pac-Man.
+     * Returns a factory of controllers of Ms.&nbsp;Pac-Man.
      *
      * @param call name of a class, and the arguments of its constructor, as in {@code my.Entry(Legacy,3)}
      */

@@ -1,6 +1,6 @@
 package mmneat.contest.entry;
 
-/** Recognises missing classes and members of entries that were written for another version of the simulator. */
+/** Explains errors of entries that use classes or members of another version of the simulator. */
 public final class MissingMember {
 
     private MissingMember() {}

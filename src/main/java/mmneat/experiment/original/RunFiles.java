@@ -19,8 +19,8 @@ import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeXml;
 
 /**
- * Writes the original's files into a run's folder: score files, logs, gnuplot scripts, champions, networks and
- * archetype.
+ * The observer that writes the original's files into a run's folder: score files, logs, gnuplot scripts, champions,
+ * networks and archetype.
  *
  * <p>All files of a generation are written at its end. An interrupted generation is evolved again, with the same files.
  * If only the newest networks are wanted, {@link #writeNewestNetworks} writes them instead: they follow from the

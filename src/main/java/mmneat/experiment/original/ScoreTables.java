@@ -10,7 +10,7 @@ import mmneat.evolution.Individual;
 import mmneat.experiment.store.DoubleText;
 
 /**
- * Formats scores of individuals as in the original's files.
+ * Formats scores of individuals as the lines of the original's score files.
  *
  * <p>Source: docs/specification/evolution.md, sections 1.3 and 5.1.
  */

@@ -13,7 +13,8 @@ import mmneat.experiment.store.RunLayout;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * The runs of an experiment. For example, {@code runs=30} means the runs 0 to 29 with the seeds 0 to 29.
+ * The plan of an experiment: its runs with their folders and parameters. For example, {@code runs=30} means the runs 0
+ * to 29 with the seeds 0 to 29.
  *
  * @param parameters the common parameters of all runs
  * @param name prefix of the files of all runs, for instance {@code blended-2M}

@@ -14,7 +14,7 @@ import java.util.zip.GZIPOutputStream;
 import mmneat.experiment.UserError;
 
 /**
- * The files of a run's newest checkpoint, {@code checkpoint.json.gz}, and of the previous one, {@code
+ * Saves and loads the checkpoints of a run: the newest, {@code checkpoint.json.gz}, and the previous one, {@code
  * checkpoint-previous.json.gz}.
  *
  * <p>The checksum is gzip's own (CRC-32 and length, at the end of the file): a truncated or changed checkpoint is

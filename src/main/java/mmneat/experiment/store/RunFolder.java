@@ -18,7 +18,7 @@ import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
 /**
- * The folder of one run. Its files always belong to a complete generation.
+ * The folder of one run, through which all its files are written. They always belong to a complete generation.
  *
  * <p>Files ({@link #write}) and rows of logs ({@link #append}) are held in memory and written together ({@link
  * #flush}), just before the checkpoint that records the lengths of the logs. After a crash the logs are cut back to the

@@ -22,7 +22,8 @@ import java.util.concurrent.TimeUnit;
 import mmneat.evolution.DaemonThreads;
 
 /**
- * The lock of a run's folder, which allows one process at a time to work in it.
+ * The lock of a run's folder, which allows one process at a time to work in it. Take it with {@link #acquire} and
+ * release it with {@link #close}.
  *
  * <p>The lock is a file, {@code lock.json}, that names its holder. It works on shared file systems without advisory
  * locking: it only requires that creating a file fails if the file exists. The holder touches the file every few

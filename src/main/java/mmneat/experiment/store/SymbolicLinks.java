@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
 /**
- * The rule that no file of a run is read or written through a symbolic link, because the folder may come from another
+ * The check that no file of a run is read or written through a symbolic link, because the folder may come from another
  * person. The folder itself may be a link, because the user names it.
  */
 public final class SymbolicLinks {

@@ -15,8 +15,8 @@ import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 
 /**
- * Crosses two networks gene by gene. Each child has exactly the structure of its own parent; genes that both parents
- * have are swapped with probability 1/2. Fitness plays no part.
+ * Crosses two networks gene by gene. Each of the two children has exactly the structure of one parent; genes that both
+ * parents have are swapped with probability 1/2. Fitness plays no part.
  *
  * <p>Source: docs/specification/networks.md, section 9.
  *

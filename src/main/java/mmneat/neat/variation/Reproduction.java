@@ -11,8 +11,9 @@ import mmneat.neat.ModuleLayout;
 import mmneat.random.ResumableRandom;
 
 /**
- * Makes offspring from parents: copy, crossover, mutation. Parents are not changed. Innovation numbers, ids and the
- * archetype advance in the gene pool. Parents that belong to another pool are refused as far as this can be detected.
+ * Makes offspring from parents: copies them, crosses two copies if there are two parents, and mutates the copies.
+ * Parents are not changed. Innovation numbers, ids and the archetype advance in the gene pool. Parents that belong to
+ * another pool are refused as far as this can be detected.
  *
  * <p>Source: docs/specification/networks.md, sections 7 to 10; docs/specification/evolution.md, section 2.4.
  */

@@ -7,7 +7,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * A ghost team in which each ghost heads for Ms. Pac-Man with a given probability and moves at random otherwise.
+ * A ghost team in which each ghost heads for Ms.&nbsp;Pac-Man with a given probability and moves at random otherwise.
  * Source: docs/specification/controllers.md, section 5.2.
  */
 public final class AggressiveGhosts extends ForgetfulGhostTeam {
@@ -17,7 +17,7 @@ public final class AggressiveGhosts extends ForgetfulGhostTeam {
 
     private final double consistency;
 
-    /** Ghosts that head for Ms. Pac-Man in nine of ten decisions. */
+    /** Ghosts that head for Ms.&nbsp;Pac-Man in nine of ten decisions. */
     public AggressiveGhosts() {
         this(DEFAULT_CONSISTENCY);
     }

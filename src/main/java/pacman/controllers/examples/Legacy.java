@@ -7,7 +7,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * The ghost team of the published experiments: BLINKY, INKY and PINKY head for Ms. Pac-Man by three measures of
+ * The ghost team of the published experiments: BLINKY, INKY and PINKY head for Ms.&nbsp;Pac-Man by three measures of
  * distance, SUE moves at random. It ignores edibility: edible ghosts keep heading for her, and only the reversal after
  * a power pill turns them away.
  *

@@ -7,18 +7,18 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Ghosts that spread to their corners when they are crowded, flee when they are edible or Ms. Pac-Man is near a power
- * pill, and chase her otherwise. Source: docs/specification/controllers.md, section 5.3.
+ * Ghosts that spread to their corners when they are crowded, flee when they are edible or Ms.&nbsp;Pac-Man is near a
+ * power pill, and chase her otherwise. Source: docs/specification/controllers.md, section 5.3.
  */
 public class Legacy2TheReckoning extends GhostTeam {
 
     /** The ghosts are crowded if their average distance from each other is below this, in steps. */
     public static final int CROWDED_DISTANCE = 30;
 
-    /** A ghost nearer to Ms. Pac-Man than this does not retreat, in steps. */
+    /** A ghost nearer to Ms.&nbsp;Pac-Man than this does not retreat, in steps. */
     public static final int PACMAN_DISTANCE = 10;
 
-    /** Ms. Pac-Man is near a power pill if it is nearer than this, in steps. */
+    /** Ms.&nbsp;Pac-Man is near a power pill if it is nearer than this, in steps. */
     public static final int PILL_PROXIMITY = 15;
 
     private static final GHOST[] GHOSTS = GHOST.values();

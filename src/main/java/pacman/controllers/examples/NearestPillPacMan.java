@@ -7,7 +7,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * A Ms. Pac-Man that heads for the nearest pill or power pill and ignores the ghosts. Source:
+ * A Ms.&nbsp;Pac-Man that heads for the nearest pill or power pill and ignores the ghosts. Source:
  * docs/specification/controllers.md, section 5.5.
  */
 public class NearestPillPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {

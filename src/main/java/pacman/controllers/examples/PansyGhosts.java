@@ -6,7 +6,7 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Ghosts that always run away from Ms. Pac-Man. Source: docs/specification/controllers.md, section 5.2. */
+/** Ghosts that always run away from Ms.&nbsp;Pac-Man. Source: docs/specification/controllers.md, section 5.2. */
 public final class PansyGhosts extends Controller<EnumMap<GHOST, MOVE>> {
 
     private static final GHOST[] GHOSTS = GHOST.values();

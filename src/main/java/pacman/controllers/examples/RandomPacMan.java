@@ -7,7 +7,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * A Ms. Pac-Man that draws one of the five moves in every step. Source: docs/specification/controllers.md, section 5.5.
+ * A Ms.&nbsp;Pac-Man that draws one of the five moves in every step. Source: docs/specification/controllers.md, section
+ * 5.5.
  */
 public final class RandomPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
 

@@ -7,7 +7,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Ghosts that flee when they are edible or Ms. Pac-Man is near a power pill; otherwise they usually attack and
+ * Ghosts that flee when they are edible or Ms.&nbsp;Pac-Man is near a power pill; otherwise they usually attack and
  * sometimes move at random. Source: docs/specification/controllers.md, section 5.3.
  */
 public final class StarterGhosts extends GhostTeam {

@@ -4,7 +4,7 @@ import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** The skeleton of a competition entry: a controller that lets Ms. Pac-Man go straight on. */
+/** The skeleton of a competition entry: a controller that lets Ms.&nbsp;Pac-Man go straight on. */
 public class MyPacMan extends Controller<MOVE> {
 
     private final MOVE myMove = MOVE.NEUTRAL;

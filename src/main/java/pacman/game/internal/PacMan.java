@@ -2,7 +2,7 @@ package pacman.game.internal;
 
 import pacman.game.Constants.MOVE;
 
-/** Ms. Pac-Man for the simulations of competition entries. The engine keeps her state in fields. */
+/** Ms.&nbsp;Pac-Man for the simulations of competition entries. The engine keeps her state in fields. */
 public final class PacMan {
 
     public int currentNodeIndex;
