@@ -1,6 +1,5 @@
 package mmneat.analysis.statistics;
 
-import java.util.Arrays;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -31,12 +30,9 @@ public record BootstrapInterval(double low, double high, double level) {
             for (int k = 0; k < drawn.length; k++) {
                 drawn[k] = values[random.nextInt(values.length)];
             }
-            Arrays.sort(drawn);
-            medians[i] = Sample.quantileOfOrdered(drawn, 0.5);
+            medians[i] = Sample.quantile(drawn, 0.5);
         }
-        Arrays.sort(medians);
         double tail = (1 - level) / 2;
-        return new BootstrapInterval(
-                Sample.quantileOfOrdered(medians, tail), Sample.quantileOfOrdered(medians, 1 - tail), level);
+        return new BootstrapInterval(Sample.quantile(medians, tail), Sample.quantile(medians, 1 - tail), level);
     }
 }

@@ -2,6 +2,9 @@ package mmneat.analysis.statistics;
 
 import java.util.Arrays;
 import java.util.Objects;
+import org.apache.commons.statistics.descriptive.Mean;
+import org.apache.commons.statistics.descriptive.Quantile;
+import org.apache.commons.statistics.descriptive.StandardDeviation;
 
 /**
  * One group of measurements, for example the average scores of a method's champions.
@@ -10,6 +13,9 @@ import java.util.Objects;
  * @param values the measurements, at least one, all finite, in any order
  */
 public record Sample(String label, double[] values) {
+
+    private static final Quantile QUANTILES =
+            Quantile.withDefaults().with(Quantile.EstimationMethod.HF7).withCopy(true);
 
     public Sample {
         Objects.requireNonNull(label, "label");
@@ -35,17 +41,12 @@ public record Sample(String label, double[] values) {
 
     /** The arithmetic mean. */
     public double mean() {
-        return Arrays.stream(values).sum() / values.length;
+        return Mean.of(values).getAsDouble();
     }
 
     /** The deviation with n - 1; NaN for a single value. */
     public double standardDeviation() {
-        double mean = mean();
-        double squares = 0;
-        for (double value : values) {
-            squares += (value - mean) * (value - mean);
-        }
-        return Math.sqrt(squares / (values.length - 1));
+        return values.length < 2 ? Double.NaN : StandardDeviation.of(values).getAsDouble();
     }
 
     public double median() {
@@ -58,16 +59,12 @@ public record Sample(String label, double[] values) {
      * @param probability in [0, 1]
      */
     public double quantile(double probability) {
-        double[] ordered = values.clone();
-        Arrays.sort(ordered);
-        return quantileOfOrdered(ordered, probability);
+        return quantile(values, probability);
     }
 
-    static double quantileOfOrdered(double[] ordered, double probability) {
-        double position = probability * (ordered.length - 1);
-        int below = (int) Math.floor(position);
-        int above = Math.min(below + 1, ordered.length - 1);
-        return ordered[below] + (position - below) * (ordered[above] - ordered[below]);
+    /** The quantile of values in any order, which stay as they are. */
+    static double quantile(double[] values, double probability) {
+        return QUANTILES.evaluate(values, probability);
     }
 
     @Override
