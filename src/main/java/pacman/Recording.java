@@ -21,22 +21,24 @@ public record Recording(List<String> states) {
     private static final int COMPETITION_FIELDS = 35;
     private static final int MM_NEAT_FIELDS = 56;
 
-    /** Fields that MM-NEAT's states have in front; the last {@link #SWITCHES} of them are switches. */
+    /**
+     * Number of additional fields at the start of MM-NEAT's states; the last {@link #SWITCHES} of them are switches.
+     */
     private static final int COUNTERS = 20;
 
     private static final int SWITCHES = 4;
 
-    /** Places of fields in the competition's form. */
+    /** Indices of fields in the competition's form. */
     private static final int TIME = 1;
 
     private static final int SCORE = 2;
     private static final int LEVEL = 4;
     private static final int EXTRA_LIFE = 8;
 
-    /** What was eaten in the last step. */
+    /** Number of fields at the end that record what was eaten in the last step. */
     private static final int SWITCHES_AT_END = 7;
 
-    /** @throws IllegalArgumentException if there is no state, or one has not as many fields as a game's state has */
+    /** @throws IllegalArgumentException if there is no state, or one has the wrong number of fields */
     public Recording {
         states = List.copyOf(states);
         if (states.isEmpty()) {

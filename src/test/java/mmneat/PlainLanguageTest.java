@@ -158,7 +158,7 @@ class PlainLanguageTest {
             throws IOException {
         List<String> findings = new ArrayList<>();
         for (Path file : files) {
-            // What stands between signs of code is a mention, not a use.
+            // Text in code signs is a mention, not a use.
             String text = extract.apply(Files.readString(file)).replaceAll("`[^`\n]*`", "");
             Matcher matcher = pattern.matcher(text);
             while (matcher.find()) {

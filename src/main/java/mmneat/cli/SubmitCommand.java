@@ -183,7 +183,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
                 continue;
             }
             if (all > 1) {
-                // Runs that have not begun are then seen as waiting; the jobs themselves write only into their own
+                // Runs that were not started are then shown as waiting; the jobs themselves write only into their own
                 // folders.
                 ExperimentView.recordAsked(part.plan());
             }

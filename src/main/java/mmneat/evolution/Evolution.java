@@ -18,9 +18,8 @@ import mmneat.random.ResumableRandom;
  * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II, optionally with the objectives that TUG chooses. For
  * a new evolution call {@link #of}; a constructor continues from a saved {@link EvolutionState}.
  *
- * <p>Parents are evaluated anew in every generation: a score is never carried over, so the scheme is elitist only with
- * respect to the current generation's noisy scores. After the last generation the final parents are evaluated once
- * more.
+ * <p>Parents are evaluated again in every generation. Scores are never kept, so the scheme is elitist only with respect
+ * to the current generation's noisy scores. After the last generation the final parents are evaluated once more.
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 5.2; docs/specification/evolution.md, section 1.
  */
@@ -181,7 +180,7 @@ public final class Evolution {
         return new EvolutionState(generation, population, pool.state(), random.state(), tug);
     }
 
-    /** NEAT's variation as NSGA-II asks for it. */
+    /** NEAT's variation in the form that NSGA-II requires. */
     private record ReproductionVariation(Reproduction reproduction) implements Variation<Genotype, Offspring> {
 
         @Override

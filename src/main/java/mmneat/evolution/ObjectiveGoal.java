@@ -25,7 +25,7 @@ public record ObjectiveGoal(double goal, double average, double lastStep, boolea
         }
     }
 
-    /** The goal of a run that begins. */
+    /** The goal at the start of a run. */
     static ObjectiveGoal initial(double goal, double average) {
         return new ObjectiveGoal(goal, average, 0, true, true);
     }

@@ -47,7 +47,7 @@ public interface Task {
     /**
      * Whether the scores of a genotype are the same in every evaluation. They can then be kept ({@code keepScores})
      * instead of being computed again in every generation. The evaluations of a deterministic task do not draw from the
-     * run's generator: each gets a generator of its own, seeded with the genotype's id, for example for ties between
+     * run's generator: each gets its own generator, seeded with the genotype's id, for example for ties between
      * preference neurons.
      */
     default boolean isDeterministic() {
@@ -55,16 +55,16 @@ public interface Task {
     }
 
     /**
-     * Names of the scores that are recorded but not selected for, in the order of {@link Evaluation#otherScores()};
-     * they need not differ.
+     * Names of the scores that are recorded but not used by selection, in the order of {@link
+     * Evaluation#otherScores()}. Names may repeat.
      */
     default List<String> otherScoreNames() {
         return List.of();
     }
 
     /**
-     * {@link #otherScoreNames()} with the way in which each is formed from the trials where that is worth saying, for
-     * example {@code GameScore[Max]}: how summaries over runs name them.
+     * Labels of the other scores in summaries over runs: their names, with the statistic over trials if it is not the
+     * average, for example {@code GameScore[Max]}.
      */
     default List<String> otherScoreLabels() {
         return otherScoreNames();

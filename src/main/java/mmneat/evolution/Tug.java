@@ -15,8 +15,8 @@ import mmneat.nsga2.SurvivorSelection;
  * not reached.
  *
  * <p>Every objective has a goal. An objective whose goal is reached is left out of selection until all goals are
- * reached; then all goals rise. The policy draws no random numbers and keeps no state of its own: {@link #step} maps
- * one {@link TugState} to the next.
+ * reached; then all goals rise. The policy draws no random numbers and keeps no state: {@link #step} maps one {@link
+ * TugState} to the next.
  *
  * <p>Source: J. Schrum, R. Miikkulainen: Evolving agent behavior in multiobjective domains using fitness-based shaping
  * (GECCO 2010); docs/specification/original-options.md, section 4.

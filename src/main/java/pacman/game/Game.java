@@ -366,7 +366,7 @@ public final class Game {
         return state.pacManNode();
     }
 
-    /** Her last move; NEUTRAL if she stands, LEFT at the start of a level. */
+    /** Ms. Pac-Man's last move; NEUTRAL if she did not move, LEFT at the start of a level. */
     public MOVE getPacmanLastMoveMade() {
         return MOVES[pacManLastMove()];
     }

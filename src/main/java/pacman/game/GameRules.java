@@ -124,7 +124,7 @@ public record GameRules(
                 Set.of());
     }
 
-    /** The blended task of the paper: threats and edible ghosts at once, eaten ghosts come back. */
+    /** The blended task of the paper: threats and edible ghosts at the same time; eaten ghosts return. */
     public static GameRules blended() {
         return mmneat().withLevels(levels -> levels.withLevelTimeLimit(8000));
     }

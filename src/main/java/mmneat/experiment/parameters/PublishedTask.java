@@ -21,7 +21,7 @@ public final class PublishedTask {
     private static final Set<String> NOT_OF_THE_EVOLUTION =
             Set.of("Everyday", "Run control", "Post-evaluation and display");
 
-    /** What the experiments of other papers change: sensors, selection, module mutation, lives. */
+    /** The parameters that experiments of other papers change: sensors, selection, module mutation, lives. */
     private static final Set<String> OF_OTHER_EXPERIMENTS = Set.of(
             "specific",
             "specificGhostProximityOrder",

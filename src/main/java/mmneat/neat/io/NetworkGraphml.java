@@ -87,7 +87,7 @@ public final class NetworkGraphml {
         xml.writeEndElement();
     }
 
-    /** Starts an element on a line of its own. */
+    /** Starts an element on a new line. */
     private static void start(XMLStreamWriter xml, String name) throws XMLStreamException {
         xml.writeCharacters("\n");
         xml.writeStartElement(name);

@@ -5,7 +5,7 @@ import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import java.io.IOException;
 
-/** Layout of a genotype's JSON: each field of the document and each gene on a line of its own. */
+/** Layout of a genotype's JSON: each field of the document and each gene on a separate line. */
 final class OneGenePerLine extends DefaultPrettyPrinter {
 
     private static final Indenter LINES = new DefaultIndenter("  ", "\n");
