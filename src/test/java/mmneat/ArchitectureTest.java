@@ -172,7 +172,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void publicTypes_haveNamesOfTheirOwn() {
+    void publicTypes_haveUniqueNames() {
         Map<String, List<JavaClass>> byName = OURS.stream()
                 .filter(type -> type.isTopLevelClass()
                         && type.getModifiers().contains(JavaModifier.PUBLIC)

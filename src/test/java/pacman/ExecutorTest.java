@@ -235,7 +235,7 @@ class ExecutorTest {
     }
 
     @Test
-    void timedGame_goesOnWithoutAControllerThatThrew_andEndsByItsMissingAnswer() {
+    void timedGame_continuesWithoutAControllerThatThrew_andEndsByItsMissingAnswer() {
         Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
         Thread.setDefaultUncaughtExceptionHandler((thread, failure) -> {});
         try {

@@ -58,7 +58,7 @@ class ChampionCommandsTest extends CommandTest {
     }
 
     @Test
-    void unknownOrAmbiguousChampion_isAMistake() {
+    void unknownOrAmbiguousChampion_isAnError() {
         assertMistakeAtWork("no network is given", "watch");
         assertMistakeAtWork("champion=x: must be one of blended, interleaved, isolated", "watch", "champion=x");
         assertMistakeAtWork("both a file and champion= are given", "watch", "champion.json", "champion=blended");

@@ -151,7 +151,7 @@ class CrashSafetyIT {
     }
 
     @Test
-    void isolatedRun_movedWithoutTheFileOfGhostLocations_goesOn() throws Exception {
+    void isolatedRun_movedWithoutTheFileOfGhostLocations_continues() throws Exception {
         Path recording = Files.writeString(folder.resolve("recording.txt"), GhostLocations.shippedText() + "\n");
         String[] words = {"task=isolated", "runs=1", "mazePowerPillGhostMapping=" + recording};
         Path unmoved = folder.resolve("unmoved");
@@ -181,7 +181,7 @@ class CrashSafetyIT {
     }
 
     @Test
-    void secondProcess_isRefused_andHarmsNothing() throws Exception {
+    void secondProcess_isRefused_andChangesNoFile() throws Exception {
         Path base = folder.resolve("twice");
         Process first = start(base);
         awaitFile(first, base.resolve("2M0/lock.json"));
@@ -200,7 +200,7 @@ class CrashSafetyIT {
     }
 
     @Test
-    void fullDisk_endsWithOneLine_andTheSameCommandGoesOn() throws Exception {
+    void fullDisk_endsWithOneLine_andTheSameCommandContinues() throws Exception {
         Path base = folder.resolve("full");
         List<String> limited = new ArrayList<>(List.of("bash", "-c", "ulimit -f 24; exec \"$@\"", "bash"));
         limited.addAll(command(base).command());

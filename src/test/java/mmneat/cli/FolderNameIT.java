@@ -21,7 +21,7 @@ class FolderNameIT {
     Path folder;
 
     @Test
-    void inAFolderThatTheLocaleCannotTell_nothingIsWritten_andTheReasonIsSaid() throws Exception {
+    void inAFolderThatTheLocaleCannotRepresent_nothingIsWritten_andTheReasonIsReported() throws Exception {
         ProgramRun run = runIn("C");
         assertThat(run.exitCode()).isEqualTo(2);
         assertThat(run.errors()).contains("letters that the locale cannot tell").contains("LC_ALL=C.UTF-8");
@@ -29,7 +29,7 @@ class FolderNameIT {
     }
 
     @Test
-    void inAFolderThatTheLocaleCanTell_theProgramRuns() throws Exception {
+    void inAFolderThatTheLocaleCanRepresent_theProgramRuns() throws Exception {
         ProgramRun run = runIn("C.UTF-8");
         assertThat(run.exitCode()).isZero();
         assertThat(run.output()).contains("MM-NEAT");

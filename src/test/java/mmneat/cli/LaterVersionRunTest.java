@@ -112,7 +112,7 @@ class LaterVersionRunTest extends CommandTest {
     }
 
     @Test
-    void ghostLocationsOfAnotherMachine_areAskedFor_whereGamesNeedThem() throws IOException {
+    void missingGhostLocations_areAnError_onlyIfGamesNeedThem() throws IOException {
         replaceParameter("task", "edu.southwestern.tasks.mspacman.MsPacManPillsVsEdibleFromCornersMultitask");
         replaceParameter("imprisonedWhileEdible", "true");
         replaceParameter("mazePowerPillGhostMapping", "data/pacman/PowerPillToGhostLocationMapping.txt");

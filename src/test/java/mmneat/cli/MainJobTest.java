@@ -57,7 +57,7 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
-    void status_ofAFolderWithoutRuns_isAMistake() {
+    void status_ofAFolderWithoutRuns_isAnError() {
         assertThat(execute("status", folder.toString())).isEqualTo(2);
         assertThat(errors.toString().lines()).singleElement().asString().contains("holds no runs");
         assertThat(execute("status", folder.resolve("none").toString())).isEqualTo(2);
@@ -80,7 +80,7 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
-    void damagedParametersOfARun_areAMistake_thatNamesThem() throws IOException {
+    void damagedParametersOfARun_areAnErrorThatNamesThem() throws IOException {
         assertThat(evolve("runs=1")).isZero();
         Path parameters = folder.resolve("xor/1M0/parameters.properties");
         Files.writeString(parameters, Files.readString(parameters).replace("runNumber=0", "runNumber=x"));
@@ -92,7 +92,7 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
-    void finishedRunWithoutItsTable_isAMistake_behindTheResults() throws IOException {
+    void finishedRunWithoutItsTable_isAnError_behindTheResults() throws IOException {
         assertThat(evolve("runs=1")).isZero();
         Files.delete(folder.resolve("xor/1M0/generations.csv"));
         Files.delete(folder.resolve("xor/1M0/XorTask-1M0_parents_log.txt"));
@@ -127,7 +127,7 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
-    void noWord_showsTheFewCommandsANewcomerNeeds() {
+    void noWord_showsTheFirstCommands() {
         for (String[] arguments : new String[][] {{}, {"help"}}) {
             assertThat(execute(arguments)).isZero();
             assertThat(out.toString()).contains("task=blended", "status", "params", "--help");
@@ -135,7 +135,7 @@ class MainJobTest extends CommandTest {
     }
 
     @Test
-    void mistakes_areOneLine_withExitCode2() {
+    void userErrors_areOneLine_withExitCode2() {
         assertMistake("did you mean 'maxGens'?", "task=blended", "maxGen=3");
         assertMistake("none.txt", "task=isolated", "mazePowerPillGhostMapping=none.txt");
         assertMistake("'evolve' is not a command", "evolve");

@@ -36,14 +36,14 @@ class MainTest extends CommandTest {
     }
 
     @Test
-    void userError_isOneLineAndExitCodeTwo() {
+    void userError_isOneLine_andExitsWith2() {
         assertThat(execute(new Mistake(), "mistake")).isEqualTo(2);
         assertThat(errors.toString().lines()).containsExactly("mmneat: no such thing; try another");
         assertThat(out.toString()).isEmpty();
     }
 
     @Test
-    void anyOtherException_isAStackTraceAndExitCodeOne() {
+    void anyOtherException_printsAStackTrace_andExitsWith1() {
         assertThat(execute(new Failure(), "failure")).isEqualTo(1);
         assertThat(errors.toString()).contains("IllegalStateException: broken").contains("at mmneat.cli.MainTest");
     }
@@ -65,7 +65,7 @@ class MainTest extends CommandTest {
     }
 
     @Test
-    void troubleWithAFile_isOneLineAndExitCodeTwo() {
+    void fileError_isOneLine_andExitsWith2() {
         assertThat(execute(new FileFailure(), "file")).isEqualTo(2);
         assertThat(errors.toString().lines()).containsExactly("mmneat: results: permission denied");
         assertThat(execute(new NameFailure(), "name")).isEqualTo(2);
@@ -73,7 +73,7 @@ class MainTest extends CommandTest {
     }
 
     @Test
-    void unknownOption_isOneLineAndExitCodeTwo() {
+    void unknownOption_isOneLine_andExitsWith2() {
         assertThat(execute(new Mistake(), "mistake", "--nonsense")).isEqualTo(2);
         assertThat(errors.toString().lines()).hasSize(1);
         assertThat(errors.toString()).contains("--nonsense").contains("mistake --help");

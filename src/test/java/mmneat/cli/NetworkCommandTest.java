@@ -69,7 +69,7 @@ class NetworkCommandTest extends CommandTest {
     }
 
     @Test
-    void unknownFormat_isAMistake() {
+    void unknownFormat_isAnError() {
         assertThat(execute("network", file.toString(), "format=pdf")).isEqualTo(2);
         assertThat(errors.toString()).startsWith("mmneat: format=pdf: must be one of svg, dot, graphml, json, xml");
     }
@@ -103,26 +103,26 @@ class NetworkCommandTest extends CommandTest {
     }
 
     @Test
-    void missingFile_isAMistake() {
+    void missingFile_isAnError() {
         assertThat(execute("network", folder.resolve("none.json").toString())).isEqualTo(2);
         assertThat(errors.toString()).contains("none.json: there is no such file");
     }
 
     @Test
-    void folderWithoutChampion_isAMistake() throws IOException {
+    void folderWithoutChampion_isAnError() throws IOException {
         Path empty = Files.createDirectory(folder.resolve("empty"));
         assertThat(execute("network", empty.toString())).isEqualTo(2);
         assertThat(errors.toString()).contains("there is no champion in this folder");
     }
 
     @Test
-    void missingName_isAMistake() {
+    void missingName_isAnError() {
         assertThat(execute("network")).isEqualTo(2);
         assertThat(errors.toString()).contains("no network is given");
     }
 
     @Test
-    void damagedFile_isAMistake_inOneLine() throws IOException {
+    void damagedFile_isAnError_inOneLine() throws IOException {
         Files.writeString(file, GenotypeJson.write(NETWORK).replace("\"modules\" : 2", "\"modules\" : \"two\""));
 
         assertThat(execute("network", file.toString())).isEqualTo(2);

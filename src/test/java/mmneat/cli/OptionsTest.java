@@ -161,7 +161,7 @@ class OptionsTest extends CommandTest {
     }
 
     @Test
-    void wordsThatAreNoOptions_areTakenOnlyWhereThereIsRoom() {
+    void positionalWords_areAcceptedOnlyByCommandsThatHaveThem() {
         assertThat(echo("a.txt", "b.txt")).isEqualTo("mmneat: 'b.txt' is not understood; write name=value");
         assertThat(echo("sed=1")).isEqualTo("mmneat: unknown name 'sed' (did you mean 'seed'?)");
         assertThat(echo("a=1")).isEqualTo("mmneat: unknown name 'a'; known: games, seed, timed, pacman");

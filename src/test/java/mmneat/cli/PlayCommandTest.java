@@ -123,7 +123,7 @@ class PlayCommandTest extends CommandTest {
     }
 
     @Test
-    void viewWithoutADisplay_isToldAndPlaysOn() {
+    void viewWithoutADisplay_isReported_andTheGameIsPlayed() {
         assertThat(execute("play", "view=true")).isZero();
         assertThat(errors.toString().lines())
                 .containsExactly("mmneat: there is no display, so the games are not shown");
@@ -147,7 +147,7 @@ class PlayCommandTest extends CommandTest {
     }
 
     @Test
-    void mistakes_areOneLine() throws IOException {
+    void userErrors_areOneLine() throws IOException {
         assertMistake("unknown name 'pacmn' (did you mean 'pacman'?)", "play", "pacmn=StarterPacMan");
         assertMistake("there is no controller 'Starter'", "play", "pacman=Starter");
         assertMistake("does not decide on moves for Ms. Pac-Man", "play", "pacman=Legacy");
@@ -192,7 +192,7 @@ class PlayCommandTest extends CommandTest {
     }
 
     @Test
-    void publishedChampionOfARun_playsAsItsFileAlone() throws IOException {
+    void publishedChampionOfARun_playsLikeItsFile() throws IOException {
         Path run = RunFixture.run(folder, "blended", "2M", 0, 1000);
         String champion = GenotypeJson.write(ShippedChampions.read("blended").genotype());
         Files.writeString(run.resolve("champion.json"), champion);

@@ -44,7 +44,7 @@ class PlayEntriesTest extends CommandTest {
     }
 
     @Test
-    void timedGames_tellHowPunctualEachSideWas() throws IOException {
+    void timedGames_reportThePunctualityOfEachSide() throws IOException {
         // A null move ends the game by MM-NEAT's rules in its twelfth step.
         Path classes = compiled("Silent", "return null;");
         for (String timed : List.of("true", "fast")) {
@@ -59,7 +59,7 @@ class PlayEntriesTest extends CommandTest {
     }
 
     @Test
-    void timedControllerThatThrows_isNoResultWithoutAWord() throws IOException {
+    void timedControllerThatThrows_isReported() throws IOException {
         Path classes = compiled("Throws", "throw new IllegalStateException(\"never\");");
         String[] words = {"play", "timed=fast", "classpath=" + classes, "pacman=Throws", "rules=mmneat", "games=2"};
         Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
@@ -257,7 +257,7 @@ class PlayEntriesTest extends CommandTest {
     }
 
     @Test
-    void classPath_isNeverLeftUnusedInSilence() throws IOException {
+    void unusedClassPath_isAnError() throws IOException {
         Path empty = Files.createDirectories(folder.resolve("empty"));
         assertMistake(
                 "there is no class 'pacman.entries.pacman.MyPacMan' in " + empty,

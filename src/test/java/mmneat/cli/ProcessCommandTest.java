@@ -20,7 +20,7 @@ class ProcessCommandTest extends CommandTest {
     private Path base;
 
     @Test
-    void runsThatHaveBegun_areSummarised() throws IOException {
+    void startedRuns_areSummarised() throws IOException {
         assertThat(execute(TASK, "base=" + base, "saveTo=A", "log=X", "runs=2", "mu=4", "maxGens=3", "quiet=true"))
                 .as(errors.toString())
                 .isZero();

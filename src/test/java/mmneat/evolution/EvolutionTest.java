@@ -47,7 +47,7 @@ class EvolutionTest {
     }
 
     @Test
-    void parents_areEvaluatedAnew_inEveryGeneration() {
+    void parents_areEvaluatedAgain_inEveryGeneration() {
         Task task = new SchafferTask();
         EvolutionSettings settings = settings(task, 7, 5, Crowding.WHOLE_POPULATION);
         Recording recording = evolve(settings, task);
@@ -97,7 +97,7 @@ class EvolutionTest {
     }
 
     @Test
-    void longerEvolution_beginsAsTheShorterOne() {
+    void longerEvolution_startsLikeTheShorterOne() {
         Task task = new SchafferTask();
         Recording shorter = evolve(settings(task, 8, 3, Crowding.WHOLE_POPULATION), task);
         Recording longer = evolve(settings(task, 8, 5, Crowding.WHOLE_POPULATION), task);
@@ -178,7 +178,7 @@ class EvolutionTest {
         "0, 0, 2, has 1 modules",
         "0, 0, 0, but the task gave the usage of 0"
     })
-    void evaluationThatIsNone_isAMistake_thatNamesGenotypeGenerationAndScore(
+    void invalidEvaluation_isAnError_thatNamesGenotypeGenerationAndScore(
             double objective, double other, int modules, String message) {
         Evaluation evaluation = new Evaluation(
                 new double[] {objective}, new double[] {other}, new int[modules], Evaluation.Outcomes.NONE);

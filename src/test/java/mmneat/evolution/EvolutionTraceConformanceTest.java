@@ -32,7 +32,7 @@ class EvolutionTraceConformanceTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"OneModule", "TwoModules", "Multitask2", "MMD"})
-    void smallEvolution_isTheOriginals(String variant) {
+    void smallEvolution_equalsTheOriginals(String variant) {
         JsonNode trace = GoldenGenotypes.file("trace_" + variant);
         Genotype expectedExample = GoldenGenotypes.genotype(trace.get("example_genotype"));
         InitialNetworks networks = new InitialNetworks(trace.get("num_in").intValue(), expectedExample.layout());

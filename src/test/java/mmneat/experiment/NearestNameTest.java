@@ -27,7 +27,7 @@ class NearestNameTest {
 
     @ParameterizedTest
     @CsvSource({"e", "xy", "population", "games"})
-    void otherNames_areNot(String typed) {
+    void otherNames_areNotRecognised(String typed) {
         assertThat(NearestName.to(typed, KNOWN)).isEmpty();
         assertThat(NearestName.suggestion(typed, KNOWN)).isEmpty();
     }

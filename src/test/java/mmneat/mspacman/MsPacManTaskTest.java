@@ -36,7 +36,7 @@ class MsPacManTaskTest {
     }
 
     @Test
-    void names_areTheOriginals_inTheirOrder() {
+    void names_equalTheOriginals_inTheirOrder() {
         MsPacManTask task = blended(1);
 
         assertThat(task.objectiveNames()).containsExactly("GhostRewardScore", "PillScore");
@@ -62,7 +62,7 @@ class MsPacManTaskTest {
 
     /** Source: docs/specification/mspacman-task.md, section 2. */
     @Test
-    void deterministicGames_areSeededByTheirTrial_whateverTheGenerator() {
+    void deterministicGames_areSeededByTheirTrial_withAnyGenerator() {
         MsPacManTaskSettings plain = MsPacManTaskSettings.blended();
         MsPacManTask task = new MsPacManTask(new MsPacManTaskSettings(
                 plain.version(),
@@ -134,7 +134,7 @@ class MsPacManTaskTest {
     }
 
     @Test
-    void moduleUse_splitsBySituation_andAddsUp() {
+    void moduleUse_isCountedByObservation_andAddsUp() {
         ModuleUse total = new ModuleUse(2);
         blended(5).evaluate(network(30, TWO_MODULES), new ResumableRandom(5), new EvaluationObserver() {
             @Override

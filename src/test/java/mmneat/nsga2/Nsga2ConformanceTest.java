@@ -49,7 +49,7 @@ class Nsga2ConformanceTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"sorting_2obj.json", "sorting_3obj.json", "sorting_large.json"})
-    void survivors_areTheOriginals_inItsOrder(String file) throws IOException {
+    void survivors_equalTheOriginals_inItsOrder(String file) throws IOException {
         for (JsonNode golden : cases(file)) {
             double[][] scores = matrix(golden.get("scores"));
             for (JsonNode selection : golden.get("selection")) {

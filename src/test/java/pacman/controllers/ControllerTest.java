@@ -100,7 +100,7 @@ class ControllerTest {
     }
 
     @Test
-    void directQuestion_storesNothing() {
+    void directCall_storesNothing() {
         controller.allowed.release();
         assertThat(controller.getMove(first, 0)).isEqualTo(MOVE.UP);
         assertThat(controller.getMove()).isNull();

@@ -33,7 +33,7 @@ class EngineRunConformanceTest {
         "isolated-ghost-2, 16, 1, 2",
         "isolated-ghost-3, 17, 1, 3"
     })
-    void run_isTheOriginals(String name, long seed, int lives, int corner) throws IOException {
+    void run_equalsTheOriginals(String name, long seed, int lives, int corner) throws IOException {
         GameRules rules =
                 switch (name) {
                     case "blended" -> GameRules.blended();

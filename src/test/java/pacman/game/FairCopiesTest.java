@@ -243,7 +243,7 @@ class FairCopiesTest {
     }
 
     @Test
-    void copy_leavesTheGeneratorOfTheRunAlone() {
+    void copy_doesNotDrawFromTheGeneratorOfTheRun() {
         GameRules rules = GameRules.mpmVsGhosts();
         ResumableRandom run = new ResumableRandom(1);
         Game game = new Game(0, rules, run);

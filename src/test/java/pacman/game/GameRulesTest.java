@@ -36,7 +36,7 @@ class GameRulesTest {
     /** Every {@code with...} of the four parts changes the component that it names, and no other. */
     @ParameterizedTest
     @MethodSource
-    void everyChange_isThatOfItsName(Record part) throws ReflectiveOperationException {
+    void everyChange_changesTheComponentOfItsName(Record part) throws ReflectiveOperationException {
         RecordComponent[] components = part.getClass().getRecordComponents();
         for (RecordComponent component : components) {
             String name = component.getName();
@@ -56,7 +56,7 @@ class GameRulesTest {
         }
     }
 
-    static Stream<Record> everyChange_isThatOfItsName() {
+    static Stream<Record> everyChange_changesTheComponentOfItsName() {
         GameRules rules = GameRules.blended();
         return Stream.of(rules.mazes(), rules.levels(), rules.ghosts(), rules.pills());
     }

@@ -73,7 +73,7 @@ class GameTest {
     }
 
     @Test
-    void competitionCopyThatContinues_isTheGamesEqual_flagsIncluded() {
+    void competitionCopyThatContinues_equalsTheGame_includingFlags() {
         ResumableRandom random = new ResumableRandom(5);
         int flagsSeen = 0;
         GameRules rules = GameRules.competition().withCopies(GameRules.Copies.CONTINUE_THE_GAME);
@@ -117,7 +117,7 @@ class GameTest {
     }
 
     @Test
-    void changingACopy_leavesTheGameAlone() {
+    void changingACopy_doesNotChangeTheGame() {
         Game game = new Game(3, GameRules.blended());
         ResumableRandom random = new ResumableRandom(3);
         for (int step = 0; step < 150 && !game.gameOver(); step++) {
@@ -194,7 +194,7 @@ class GameTest {
     }
 
     @Test
-    void restoredGame_goesOnAsTheGame_untilAGhostIsWorthMore() {
+    void restoredGame_continuesLikeTheGame_untilAGhostIsWorthMore() {
         ResumableRandom random = new ResumableRandom(9);
         for (long seed = 0; seed < 30; seed++) {
             Game game = new Game(seed, GameRules.blended(), new ResumableRandom(seed));
@@ -279,7 +279,7 @@ class GameTest {
     }
 
     @Test
-    void distanceQueries_refuseNodesThatAreNone() {
+    void distanceQueries_refuseInvalidNodes() {
         Game game = new Game(0);
         int nodes = game.getNumberOfNodes();
         int junction = game.getJunctionIndices()[0];
@@ -350,14 +350,14 @@ class GameTest {
     }
 
     @Test
-    void levelScore_ofALevelThatHasNotBegun_isRefused() {
+    void levelScore_ofALevelThatWasNotReached_isRefused() {
         Game game = new Game(0);
         assertThat(game.getScore(0)).isZero();
         assertThatThrownBy(() -> game.getScore(2)).isInstanceOf(IndexOutOfBoundsException.class);
     }
 
     @Test
-    void restart_ofAGameThatBeganInAnotherMaze_beginsThereAgain() {
+    void restart_ofAGameThatStartedInAnotherMaze_startsThereAgain() {
         Game game = new Game(0, 2);
         game.restart(1);
         assertThat(game.getGameState()).isEqualTo(new Game(1, 2).getGameState());

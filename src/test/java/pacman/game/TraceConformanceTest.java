@@ -28,7 +28,7 @@ class TraceConformanceTest {
         "long, 5, 58536",
         "extras, 65, 32915"
     })
-    void games_areTheOriginals_stepByStep(String file, int games, int steps) throws IOException {
+    void games_equalTheOriginals_stepByStep(String file, int games, int steps) throws IOException {
         Path traces = GoldenData.folder("traces");
         TraceReplay replay = new TraceReplay(file, originalGhostLocations());
         try (InputStream in = Files.newInputStream(traces.resolve(file + ".jsonl.gz"))) {

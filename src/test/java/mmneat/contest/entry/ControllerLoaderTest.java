@@ -149,7 +149,7 @@ class ControllerLoaderTest {
     }
 
     @Test
-    void entryNamedAsOneOfOurs_inAnotherPackage_isItself() throws IOException {
+    void entryNamedAsOneOfOurs_inAnotherPackage_isTheEntry() throws IOException {
         Path classes = compiled(
                 entry("package team.controllers.examples;", "pacman.", "StarterPacMan"),
                 "package team; public class Teams { public static class Nested extends"
@@ -163,7 +163,7 @@ class ControllerLoaderTest {
     }
 
     @Test
-    void movesBehindGenericBaseClasses_areLookedAt() throws IOException {
+    void movesOfGenericBaseClasses_areChecked() throws IOException {
         String decides = " public T getMove(pacman.game.Game game, long due) { return null; } }";
         Path classes = compiled(
                 "public abstract class Base<K, T> extends pacman.controllers.Controller<T> {" + decides,
@@ -344,7 +344,7 @@ class ControllerLoaderTest {
     }
 
     @Test
-    void skeletonOfOurs_neverStandsInForAClassThatTheClassPathLacks() throws IOException {
+    void skeletonOfOurs_neverReplacesAClassThatTheClassPathLacks() throws IOException {
         Path empty = Files.createDirectories(folder.resolve("empty"));
         ControllerLoader loader = new ControllerLoader(List.of(empty));
         for (String name : List.of("pacman.entries.pacman.MyPacMan", "MyPacMan")) {

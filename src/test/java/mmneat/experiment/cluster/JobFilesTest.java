@@ -126,7 +126,7 @@ class JobFilesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"12", "noon", "12:0:0", ""})
-    void timeThatIsNoTime_isRefusedWithAnExample(String text) {
+    void invalidTime_isRefusedWithAnExample(String text) {
         assertThatThrownBy(() -> JobResources.parseTime(text))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("time=12:00:00");
@@ -134,7 +134,7 @@ class JobFilesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"1", "much", "1T", "-1G"})
-    void memoryThatIsNoMemory_isRefusedWithAnExample(String text) {
+    void invalidMemory_isRefusedWithAnExample(String text) {
         assertThatThrownBy(() -> JobResources.parseMemory(text))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("memory=1G");

@@ -50,7 +50,7 @@ class RunSummariesConformanceTest {
     }
 
     @Test
-    void hypervolumes_areTheOriginals() throws IOException {
+    void hypervolumes_equalTheOriginals() throws IOException {
         assertThat(base.resolve("MMD0/P-MMD0_parents_genHV.txt"))
                 .hasSameTextualContentAs(golden.resolve("P-MMD0_parents_genHV.txt"));
         requireSame("P-MMDAVG_parents_genHV.txt");
@@ -67,7 +67,7 @@ class RunSummariesConformanceTest {
     }
 
     @Test
-    void scripts_areTheOriginals() throws IOException {
+    void scripts_equalTheOriginals() throws IOException {
         requireSame("P-MMDAll_parents_genHV.plot");
         requireSame("P-MMDAVG_parents_genHV.plot");
         requireSame("P-MMDAVG_parents_genScores.plot");

@@ -66,14 +66,14 @@ class OwnClassesTest {
     }
 
     @Test
-    void sensorsOfAJar_andOfTheClassPath_followTheOthers() throws IOException {
+    void sensorsOfAJar_andOfTheClassPath_comeAfterTheOthers() throws IOException {
         List<String> labels =
                 labels("task=blended", "jar=" + jar(), "ownSensors=my.NearExit, " + Always.class.getName());
         assertThat(labels).hasSize(32).endsWith("Near Exit", "Always in dir -1");
     }
 
     @Test
-    void unusableSensor_isAMistakeThatNamesIt() throws IOException {
+    void unusableSensor_isAnErrorThatNamesIt() throws IOException {
         assertMistake(
                 "ownSensors=my.NearExit: there is no such class; name its jar with jar=FILE",
                 "task=blended",

@@ -98,7 +98,7 @@ class OwnTaskTest {
     }
 
     @Test
-    void taskOfOneOfEverything_isGood() {
+    void taskWithOneInputOutputAndObjective_isAccepted() {
         assertThat(experiment().monitors()).hasSize(1);
     }
 

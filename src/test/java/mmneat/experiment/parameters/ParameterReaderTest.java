@@ -227,7 +227,7 @@ class ParameterReaderTest {
     }
 
     @Test
-    void parameterTwiceInAFile_isAMistake(@TempDir Path folder) throws IOException {
+    void parameterTwiceInAFile_isAnError(@TempDir Path folder) throws IOException {
         Path config = folder.resolve("mine.properties");
         Files.writeString(config, "task=blended\nmu=3\nmu=4\n");
         assertMistake("mine.properties: 'mu' is given twice", "config=" + config);
@@ -313,7 +313,7 @@ class ParameterReaderTest {
         "experiment:ObjectiveBestNetworksExperiment, bestObjectives",
         "experiment:edu.utexas.cs.nn.experiment.LoadAndWatchExperiment, watch FILE"
     })
-    void wordOfTheOriginal_thatIsACommandHere_namesIt(String word, String command) {
+    void wordOfTheOriginal_thatIsACommandHere_namesTheCommand(String word, String command) {
         assertMistake(command, "task=blended", word);
     }
 

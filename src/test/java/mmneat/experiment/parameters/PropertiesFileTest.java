@@ -33,7 +33,7 @@ class PropertiesFileTest {
                 "saveTo|saveTo|''",
                 "saveTo=M\u00fchle \u732b|saveTo|M\u00fchle \u732b"
             })
-    void line_isANameAndATrimmedValue_inWhichABackslashStandsForItself(String line, String name, String value) {
+    void line_isANameAndATrimmedValue_withLiteralBackslashes(String line, String name, String value) {
         for (String text :
                 new String[] {line, line + "\n", "\ufeff# comment\r\n\r\n  ! comment\\\r\n" + line + "\r\n"}) {
             assertThat(PropertiesFile.read(text)).as(text).containsExactly(Map.entry(name, value));

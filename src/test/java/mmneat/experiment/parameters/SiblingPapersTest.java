@@ -80,7 +80,7 @@ class SiblingPapersTest {
     }
 
     @Test
-    void noneOfThem_isTakenForAMethodOfThePaper() throws IOException {
+    void noConfiguration_isTakenForAMethodOfThePaper() throws IOException {
         for (Path file : files()) {
             Parameters parameters = reader.read(List.of("config=" + file)).parameters();
             TaskVersion version = PublishedTask.version(parameters).orElseThrow();

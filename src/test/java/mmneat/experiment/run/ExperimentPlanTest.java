@@ -77,7 +77,7 @@ class ExperimentPlanTest {
     }
 
     @Test
-    void oneSeedForManyRuns_isAMistake() {
+    void oneSeedForManyRuns_isAnError() {
         assertThatThrownBy(() -> plan("task=blended", "runs=2", "randomSeed=3"))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("2 equal runs");
@@ -124,7 +124,7 @@ class ExperimentPlanTest {
     }
 
     @Test
-    void continuingWithOtherParameters_isAMistakeThatNamesThem(@TempDir Path folder) throws IOException {
+    void continuingWithOtherParameters_isAnErrorThatNamesThem(@TempDir Path folder) throws IOException {
         RunParametersFile file = new RunParametersFile(folder);
         file.write(plan("task=blended", "mu=10").runs().get(0).parameters());
         assertThatThrownBy(() ->

@@ -72,7 +72,7 @@ class ExperimentRunnerTest {
     }
 
     @Test
-    void runs_sideBySide_areAsEachAlone() throws Exception {
+    void parallelRuns_equalSingleRuns() throws Exception {
         List<RunOutcome> together = run("together", "runs=4", "maxGens=4", "threads=3", "method=MMD");
         assertThat(together).allMatch(RunOutcome::isComplete);
         run("alone", "run=2", "maxGens=4", "method=MMD");
@@ -98,7 +98,7 @@ class ExperimentRunnerTest {
     }
 
     @Test
-    void runContinuedWithMoreGenerations_isAsIfTheyHadBeenAskedForAtOnce() throws Exception {
+    void runContinuedWithMoreGenerations_equalsALongerRun() throws Exception {
         run("longer", "maxGens=2");
         run("longer", "maxGens=5");
         run("atOnce", "maxGens=5");
@@ -106,7 +106,7 @@ class ExperimentRunnerTest {
     }
 
     @Test
-    void otherParameters_inABegunFolder_areAMistake_andNothingIsTouched() throws Exception {
+    void otherParameters_inAStartedFolder_areAnError_andNoFileChanges() throws Exception {
         run("base", "maxGens=2");
         Map<String, String> before = content(folder.resolve("base/1M0"));
         assertThatThrownBy(() -> run("base", "maxGens=3", "crossoverRate=0.3", "runs=2"))
@@ -148,7 +148,7 @@ class ExperimentRunnerTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"auto", "1", "5"})
-    void haltedAtAnyMoment_andContinued_isAsIfNeverStopped(String checkpointEvery) throws Exception {
+    void runHaltedAtAnyMoment_andContinued_equalsAnUninterruptedOne(String checkpointEvery) throws Exception {
         run("whole", "maxGens=12", "method=MMD", "checkpointEvery=1");
         ExecutorService other = Executors.newSingleThreadExecutor();
         int halted = 0;
@@ -263,7 +263,7 @@ class ExperimentRunnerTest {
     }
 
     @Test
-    void runThatAnotherProcessHolds_isLeftAlone_theOthersAreDone() throws Exception {
+    void runLockedByAnotherProcess_isSkipped_andTheOthersAreCompleted() throws Exception {
         Files.createDirectories(folder.resolve("held/1M0"));
         try (RunLock lock = RunLock.acquire(folder.resolve("held/1M0"), RunLock.Timing.USUAL)) {
             List<RunOutcome> outcomes = run("held", "runs=2", "maxGens=2");

@@ -129,7 +129,7 @@ class ForeignFolderTest {
 
     @ParameterizedTest
     @MethodSource("damages")
-    void bothCheckpointsDamaged_theRunIsRefused_andNothingIsTouched(Edit edit) throws Exception {
+    void bothCheckpointsDamaged_theRunIsRefused_andNoFileChanges(Edit edit) throws Exception {
         change(newest(), edit);
         Files.copy(
                 newest(),
@@ -156,7 +156,7 @@ class ForeignFolderTest {
                 "generations.csv/",
                 "a\u0000b"
             })
-    void namesThatAreNoFilesOfTheRun_areRefused_thoughThePreviousCheckpointIsWhole(String name) throws Exception {
+    void namesThatAreNotFilesOfTheRun_areRefused_evenWithAnIntactPreviousCheckpoint(String name) throws Exception {
         byte[] whole = Files.readAllBytes(newest());
         change(newest(), edit("log", c -> logs(c).put(name, 0)));
         requireRefused("is no file of this run");
@@ -176,7 +176,7 @@ class ForeignFolderTest {
     }
 
     @Test
-    void unpackedCheckpointThatWouldFillTheMemory_isDamaged() throws Exception {
+    void checkpointTooLargeForTheMemory_isDamaged() throws Exception {
         try (OutputStream bomb = new GZIPOutputStream(Files.newOutputStream(newest()))) {
             byte[] blanks = new byte[1 << 20];
             java.util.Arrays.fill(blanks, (byte) ' ');
@@ -189,7 +189,7 @@ class ForeignFolderTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"null", "[]", "{}", "", "[[[[[[[[[[[", "{\"format\":\"mmneat-checkpoint\"}", "\u0000"})
-    void textsThatAreNoCheckpoint_areDamaged(String text) throws Exception {
+    void textsThatAreNotACheckpoint_areDamaged(String text) throws Exception {
         SavedCheckpoint.write(newest(), text.getBytes(java.nio.charset.StandardCharsets.UTF_8));
         RunOutcome outcome = run(3);
         assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.FINISHED);
@@ -257,14 +257,14 @@ class ForeignFolderTest {
     }
 
     @Test
-    void runWithoutItsCheckpoints_isNotBegunAgain() throws Exception {
+    void runWithoutItsCheckpoints_isNotStartedAgain() throws Exception {
         Files.delete(newest());
         Files.delete(folder.resolve("checkpoint-previous.json.gz"));
         requireRefused("but no checkpoint to continue it from");
     }
 
     @Test
-    void emptyFolder_orOneWithALeftLock_isBegunIn() throws Exception {
+    void run_startsInAnEmptyFolder_orOneWithOnlyALock() throws Exception {
         delete(folder);
         Files.createDirectories(folder);
         Files.writeString(folder.resolve("checkpoint.json.gz.unfinished"), "x");

@@ -57,7 +57,7 @@ class GhostLocationsCopyTest {
     }
 
     @Test
-    void begunRun_usesItsCopy_whateverBecomesOfTheFile() throws IOException {
+    void startedRun_usesItsCopy_evenIfTheFileChanges() throws IOException {
         RunPlan run = plan("run", asked());
         assertThat(GhostLocationsCopy.parameters(run.directory(), run.parameters())
                         .text(Tasks.GHOST_LOCATIONS))
@@ -75,7 +75,7 @@ class GhostLocationsCopyTest {
     }
 
     @Test
-    void otherLocationsThanTheRunWasBegunWith_areAMistake() throws IOException {
+    void otherLocationsThanAtTheStartOfTheRun_areAnError() throws IOException {
         RunPlan run = plan("run");
         GhostLocationsCopy.keep(run.directory(), run.parameters());
         GhostLocationsCopy.requireSame(run.directory(), run.parameters());

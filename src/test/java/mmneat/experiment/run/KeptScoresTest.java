@@ -120,7 +120,7 @@ class KeptScoresTest {
     }
 
     @Test
-    void runThatStopped_andIsContinued_isAsIfItHadNotStopped() throws Exception {
+    void stoppedAndContinuedRun_equalsAnUninterruptedOne() throws Exception {
         run(ExactXor.class, "whole", "maxGens=40");
         run(ExactXor.class, "stopped", "maxGens=40", "stopAt=0.55", "keepScores=true");
         assertThat(RunStatus.read(folder.resolve("stopped/1M0")).orElseThrow().generation())

@@ -112,7 +112,7 @@ class RunEndTest {
     }
 
     @Test
-    void runWithoutAWholeCheckpoint_isRefused_andNothingIsTouched() throws Exception {
+    void runWithoutAnIntactCheckpoint_isRefused_andNoFileChanges() throws Exception {
         run("maxGens=4");
         RunStatus before = status();
         Files.writeString(file("checkpoint.json.gz"), "x");
@@ -124,7 +124,7 @@ class RunEndTest {
     }
 
     @Test
-    void failureWithoutTheLock_leavesTheStatusAlone() throws Exception {
+    void failureWithoutTheLock_doesNotChangeTheStatus() throws Exception {
         run("maxGens=2");
         String before = Files.readString(file("status.json"));
         // A lock can neither be created nor read here.
@@ -136,7 +136,7 @@ class RunEndTest {
     }
 
     @Test
-    void failureAfterTheLockWasLost_leavesTheStatusAlone() throws Exception {
+    void failureAfterTheLockWasLost_doesNotChangeTheStatus() throws Exception {
         evaluating = evaluation -> {
             if (evaluation >= 2 * MU) {
                 try {
@@ -173,7 +173,7 @@ class RunEndTest {
     }
 
     @Test
-    void runThatIsContinued_hasTheNetworksOfItsCheckpoint_andACheckpointThatOutlivesTheMachine() throws Exception {
+    void continuedRun_hasTheNetworksOfItsCheckpoint_andASyncedCheckpoint() throws Exception {
         failAfter(3);
         run("maxGens=5");
         assertThat(file("gen3")).doesNotExist();
@@ -191,7 +191,7 @@ class RunEndTest {
     }
 
     @Test
-    void scoreOfTheFinalParentsThatIsNoNumber_isAFailureThatNamesIt_andTheRunIsNotFinished() throws Exception {
+    void nanScoreOfTheFinalParents_isAFailureThatNamesIt_andTheRunIsNotFinished() throws Exception {
         withoutScore = 2 * MU * 2 + 1;
         RunOutcome outcome = run("maxGens=2");
         assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.FAILED);
@@ -204,7 +204,7 @@ class RunEndTest {
     }
 
     @Test
-    void fewerGenerationsThanAreComplete_areAMistake_andNothingIsTouched() throws Exception {
+    void fewerGenerationsThanAreComplete_areAnError_andNoFileChanges() throws Exception {
         failAfter(3);
         assertThat(run("maxGens=5").phase()).isEqualTo(RunMonitor.Phase.FAILED);
         uneventful();
@@ -251,7 +251,7 @@ class RunEndTest {
     }
 
     @Test
-    void interruptionInTheMidstOfWriting_isAStop_andTheRunGoesOn() throws Exception {
+    void interruptionDuringWriting_stopsTheRun_whichCanBeContinued() throws Exception {
         // Called in each generation when its row is written.
         scoring = () -> Thread.currentThread().interrupt();
         RunOutcome stopped = run("maxGens=3");

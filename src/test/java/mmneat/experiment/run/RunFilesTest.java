@@ -91,7 +91,7 @@ class RunFilesTest {
     }
 
     @Test
-    void withoutNetworks_thereAreLogsOnly_andTheOtherWayRound() throws IOException {
+    void withoutNetworks_onlyLogsAreWritten_andViceVersa() throws IOException {
         evolve(Set.of(RunFiles.Choice.LOGS, RunFiles.Choice.NEWEST_NETWORKS_ONLY));
         assertThat(folders()).isEmpty();
         assertThat(list(directory))

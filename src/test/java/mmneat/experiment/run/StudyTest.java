@@ -107,7 +107,7 @@ class StudyTest {
     }
 
     @Test
-    void experimentThatCannotBeCarriedOut_isAMistake_beforeAnyJobIsHandedOver() {
+    void impossibleExperiment_isAnError_beforeAnyJobIsSubmitted() {
         requireMistake("none.txt: cannot be read", "task=isolated", "mazePowerPillGhostMapping=none.txt");
         requireMistake("mmdRate=0.2 does not go with multitaskModes=2", "task=interleaved", "method=MT", "mmdRate=0.2");
         requireMistake("disabledMode=2: the networks have modules 0 to 1", "task=blended", "disabledMode=2");

@@ -70,7 +70,7 @@ class RunFolderTest {
     }
 
     @Test
-    void deletedFolder_waitsForTheDiskNoMore() throws IOException {
+    void deletedFolder_isNoLongerUnsynced() throws IOException {
         RunFolder folder = new RunFolder(directory, "x0_");
         folder.write("gen1/a.xml", "x");
         folder.write("gen10/a.xml", "x");

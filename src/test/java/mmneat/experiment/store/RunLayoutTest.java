@@ -18,7 +18,7 @@ class RunLayoutTest {
     }
 
     @Test
-    void names_areTheOriginals() {
+    void names_equalTheOriginals() {
         assertThat(RunLayout.network("Blended-2M3_", 0, 7)).isEqualTo("initial/Blended-2M3_initial_7.xml");
         assertThat(RunLayout.network("Blended-2M3_", 12, 7)).isEqualTo("gen12/Blended-2M3_gen12_7.xml");
         assertThat(RunLayout.isNetworksFolder("initial")).isTrue();

@@ -118,7 +118,7 @@ class RunLockTest {
     }
 
     @Test
-    void holderWhoseLockWasTakenOver_noticesAndLeavesTheNewOneAlone() throws Exception {
+    void holderWhoseLockWasTakenOver_detectsIt_andKeepsTheNewLock() throws Exception {
         RunLock slept = RunLock.acquire(folder, QUICK);
         writeLock("elsewhere", 7, Instant.now());
         assertThatThrownBy(slept::requireHeld)
@@ -154,7 +154,7 @@ class RunLockTest {
     }
 
     @Test
-    void holderWhoseLockWasDeleted_isToldSo() throws Exception {
+    void holderWhoseLockWasDeleted_detectsIt() throws Exception {
         try (RunLock lock = RunLock.acquire(folder, QUICK)) {
             Files.delete(folder.resolve("lock.json"));
             assertThatThrownBy(lock::requireHeld)

@@ -29,7 +29,7 @@ class DeleteModuleMutationTest {
     private final ResumableRandom draws = new ResumableRandom(2);
 
     @Test
-    void leastUsedModule_goes_andTheOthersAnswerAsBefore() {
+    void leastUsedModule_isRemoved_andTheOthersKeepTheirOutputs() {
         for (int i = 0; i < 100; i++) {
             int least = i % MODULES;
             Genotype before = withUsage(threeModules(), least);
@@ -46,7 +46,7 @@ class DeleteModuleMutationTest {
     }
 
     @Test
-    void firstOfTheLeastUsedModules_goes() {
+    void firstOfTheLeastUsedModules_isRemoved() {
         for (int[] usage : new int[][] {{5, 1, 1}, {5, 5, 5}, {2, 9, 2}}) {
             Genotype before = threeModules().withModuleUsage(usage);
             Genotype after = delete(new DeleteModuleMutation(true), before);
@@ -103,7 +103,7 @@ class DeleteModuleMutationTest {
     }
 
     @Test
-    void singleModules_andMultitaskNetworks_areLeftAlone() {
+    void singleModules_andMultitaskNetworks_areNotChanged() {
         for (ModuleLayout layout : List.of(ModuleLayout.single(1), ModuleLayout.multitask(2, 1))) {
             Genotype genotype = SampleGenotypes.grown(random, 5, layout, 3, 20);
             GenotypeDraft draft = GenotypeDraft.of(genotype);

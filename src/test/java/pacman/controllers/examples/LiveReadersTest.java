@@ -34,7 +34,7 @@ class LiveReadersTest {
     }
 
     @Test
-    void othersAreGivenCopies_alsoIfTheyExtendAnExample() {
+    void otherControllers_getCopies_evenIfTheyExtendAnExample() {
         assertThat(LiveReaders.of(new PansyGhosts())).isEmpty();
         assertThat(LiveReaders.of(new NearestPillPacManVS())).isEmpty();
         Controller<EnumMap<GHOST, MOVE>> heir = new OutsideLegacy();
