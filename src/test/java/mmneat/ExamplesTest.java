@@ -15,7 +15,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The example programs run, are short, and are printed unchanged in README.md or docs/libraries.md. */
+/**
+ * The example programs run, are short, and are printed unchanged in README.md, docs/libraries.md or docs/extend.md.
+ */
 class ExamplesTest {
 
     private static final Path PROJECT =
@@ -38,6 +40,12 @@ class ExamplesTest {
                 "Zdt1 | (\\[-?[\\d.E-]+, -?[\\d.E-]+]\\R){100}",
                 "Careful | (?s).*9\t\\d+\\R.*",
                 "NearExit | (?s).*results.near-exit.2M0.*",
+                "LateGame | (?s).*results.late-game.MT20.*",
+                "Survival | (?s).*results.survival.2M0.*",
+                "TwoChasers | (?s).*results.chasers.2M0.*",
+                "WeightDecay | (?s).*results.decay.2M0.*",
+                "AverageWeights | (?s).*results.average.2M0.*",
+                "BestSum | (?s).*results.best-sum.2M0.*",
             })
     void example_runs(String name, String output) throws Exception {
         String path = Arrays.stream(CLASS_PATH.split(File.pathSeparator))
@@ -51,16 +59,16 @@ class ExamplesTest {
     @Test
     void examples_areShort_andArePrintedInTheDocuments() throws IOException {
         String readme = document("README.md");
-        String libraries = document("docs/libraries.md");
+        String others = document("docs/libraries.md") + document("docs/extend.md");
         List<Path> files;
         try (Stream<Path> found = Files.list(EXAMPLES)) {
             files = found.sorted().toList();
         }
-        assertThat(files).hasSizeGreaterThanOrEqualTo(4);
+        assertThat(files).hasSizeGreaterThanOrEqualTo(10);
         for (Path file : files) {
             String code = Files.readString(file).replace("\r\n", "\n");
             assertThat(code.lines().count()).as(file.toString()).isLessThanOrEqualTo(MOST_LINES);
-            assertThat(readme + libraries).contains("```java\n" + code + "```\n");
+            assertThat(readme + others).contains("```java\n" + code + "```\n");
         }
         assertThat(readme).as("a first program on the first page").contains("```java\n");
     }

@@ -10,6 +10,7 @@ import mmneat.neat.Genotype;
 import mmneat.neat.variation.Offspring;
 import mmneat.neat.variation.Reproduction;
 import mmneat.nsga2.Crowding;
+import mmneat.nsga2.Selection;
 import mmneat.nsga2.SurvivorSelection;
 import mmneat.nsga2.Variation;
 import mmneat.random.ResumableRandom;
@@ -141,14 +142,19 @@ public final class Evolution {
     }
 
     private List<Offspring> reproduce(List<Individual> parents) {
+        List<Genotype> genotypes = parents.stream().map(Individual::genotype).toList();
+        double[][] scores = selectionScores(parents);
+        if (settings.ownSelection().isPresent()) {
+            return settings.parentSelection()
+                    .children(
+                            genotypes,
+                            settings.ownSelection().get().parents(scores),
+                            settings.populationSize(),
+                            variation,
+                            random);
+        }
         return settings.parentSelection()
-                .children(
-                        parents.stream().map(Individual::genotype).toList(),
-                        selectionScores(parents),
-                        generation == 0,
-                        settings.populationSize(),
-                        variation,
-                        random);
+                .children(genotypes, scores, generation == 0, settings.populationSize(), variation, random);
     }
 
     private List<Genotype> survivors(List<Individual> parents, List<Individual> children) {
@@ -157,10 +163,25 @@ public final class Evolution {
         int count = settings.populationSize();
         Crowding crowding = settings.parentSelection().crowding();
         double[][] scores = objectives(all);
-        int[] survivors = settings.tug()
-                .map(policy -> policy.survivors(tug, generation, scores, count, crowding))
-                .orElseGet(() -> SurvivorSelection.survivors(scores, count, crowding));
+        int[] survivors = settings.ownSelection().isPresent()
+                ? ownSurvivors(settings.ownSelection().get(), scores, count)
+                : settings.tug()
+                        .map(policy -> policy.survivors(tug, generation, scores, count, crowding))
+                        .orElseGet(() -> SurvivorSelection.survivors(scores, count, crowding));
         return Arrays.stream(survivors).mapToObj(i -> all.get(i).genotype()).toList();
+    }
+
+    private int[] ownSurvivors(Selection selection, double[][] scores, int count) {
+        int[] survivors = selection.survivors(scores, count, random);
+        long different = Arrays.stream(survivors)
+                .filter(i -> i >= 0 && i < scores.length)
+                .distinct()
+                .count();
+        if (survivors.length != count || different != count) {
+            throw new IllegalStateException("the selection must name " + count + " different survivors of "
+                    + scores.length + ", named " + Arrays.toString(survivors));
+        }
+        return survivors;
     }
 
     private double[][] selectionScores(List<Individual> individuals) {

@@ -9,6 +9,7 @@ import mmneat.neat.variation.MutationRates;
 import mmneat.neat.variation.VariationSettings;
 import mmneat.nsga2.Crowding;
 import mmneat.nsga2.ParentSelection;
+import mmneat.nsga2.Selection;
 
 /**
  * The settings of an evolution, besides its task.
@@ -24,6 +25,7 @@ import mmneat.nsga2.ParentSelection;
  * @param parentSelection how parents are chosen, and how survivors' crowding is measured
  * @param variation how offspring differ from their parents
  * @param tug the policy that leaves objectives out of selection, if there is one ({@code ea})
+ * @param ownSelection selection of parents and survivors of the caller's own instead of NSGA-II's; usually none
  */
 public record EvolutionSettings(
         long seed,
@@ -34,13 +36,14 @@ public record EvolutionSettings(
         InitialNetworks initialNetworks,
         ParentSelection parentSelection,
         VariationSettings variation,
-        Optional<Tug> tug) {
+        Optional<Tug> tug,
+        Optional<Selection> ownSelection) {
 
     /**
      * Checked settings.
      *
      * @throws IllegalArgumentException if there are no parents, less than 0 generations or less than 1 between
-     *     cleanings
+     *     cleanings, or both TUG and a selection of the caller's own
      * @throws NullPointerException if a part is missing; the message names it
      */
     public EvolutionSettings {
@@ -52,6 +55,9 @@ public record EvolutionSettings(
         Objects.requireNonNull(parentSelection, "parentSelection");
         Objects.requireNonNull(variation, "variation");
         Objects.requireNonNull(tug, "tug");
+        if (ownSelection.isPresent() && tug.isPresent()) {
+            throw new IllegalArgumentException("TUG does not go with a selection of one's own");
+        }
     }
 
     /** Settings with which selection always uses all objectives. */
@@ -73,6 +79,7 @@ public record EvolutionSettings(
                 initialNetworks,
                 parentSelection,
                 variation,
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -92,6 +99,21 @@ public record EvolutionSettings(
                 new InitialNetworks(task.inputs(), ModuleLayout.single(task.policyNeuronsPerModule())),
                 new ParentSelection(true, 0.5, Crowding.WHOLE_POPULATION),
                 new VariationSettings(MutationRates.PUBLISHED));
+    }
+
+    /** These settings with a selection of the caller's own. */
+    public EvolutionSettings withSelection(Selection selection) {
+        return new EvolutionSettings(
+                seed,
+                initialPopulationSeed,
+                populationSize,
+                generations,
+                cleanFrequency,
+                initialNetworks,
+                parentSelection,
+                variation,
+                tug,
+                Optional.of(selection));
     }
 
     private static void requireAtLeast(int least, String name, int value) {

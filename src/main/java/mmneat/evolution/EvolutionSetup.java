@@ -5,10 +5,12 @@ import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
 import mmneat.neat.ModuleLayout;
+import mmneat.neat.variation.CrossoverOperator;
 import mmneat.neat.variation.InitialNetworks;
 import mmneat.neat.variation.MutationOperator;
 import mmneat.neat.variation.MutationRates;
 import mmneat.neat.variation.VariationSettings;
+import mmneat.nsga2.Selection;
 
 /**
  * A builder of an evolution, started by {@link Evolution#of} and finished by {@link #run}. Settings that are not set
@@ -88,6 +90,17 @@ public final class EvolutionSetup {
         return with(settings.initialNetworks(), settings.variation().withMutation(rate, operator));
     }
 
+    /** Selects parents and survivors in a way of the caller's own instead of NSGA-II's. */
+    public EvolutionSetup selection(Selection selection) {
+        settings = settings.withSelection(selection);
+        return this;
+    }
+
+    /** Crosses networks in a way of the caller's own instead of NEAT's. */
+    public EvolutionSetup crossover(CrossoverOperator crossover) {
+        return with(settings.initialNetworks(), settings.variation().withCrossover(crossover));
+    }
+
     /** Replaces the sequential evaluator. The new evaluator must evaluate the same task. */
     public EvolutionSetup evaluator(Evaluator other) {
         evaluator = Objects.requireNonNull(other, "evaluator");
@@ -136,7 +149,8 @@ public final class EvolutionSetup {
                 settings.initialNetworks(),
                 settings.parentSelection(),
                 settings.variation(),
-                settings.tug());
+                settings.tug(),
+                settings.ownSelection());
         return this;
     }
 
@@ -150,7 +164,8 @@ public final class EvolutionSetup {
                 networks,
                 settings.parentSelection(),
                 variation,
-                settings.tug());
+                settings.tug(),
+                settings.ownSelection());
         return this;
     }
 

@@ -8,6 +8,7 @@ import mmneat.evolution.Evaluation.Outcomes;
 import mmneat.evolution.FailedEvaluationException;
 import mmneat.evolution.ScoreStatistic;
 import mmneat.evolution.Task;
+import mmneat.mspacman.objectives.GameObjective;
 import mmneat.mspacman.objectives.GameScore;
 import mmneat.mspacman.objectives.RecordedScore;
 import mmneat.mspacman.sensors.NetworkInputs;
@@ -37,7 +38,7 @@ public final class MsPacManTask implements Task {
     private final SensorSuite suite;
     private final NetworkInputs senses;
     private final List<TrialGame> games;
-    private final List<GameScore> objectives = GameScore.publishedObjectives();
+    private final List<GameObjective> objectives;
     private final List<RecordedScore> others;
     private final NewGhostController ghosts;
     private final ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
@@ -56,6 +57,7 @@ public final class MsPacManTask implements Task {
         senses = suite.newInputs();
         games = TrialGame.of(settings.version(), settings.rules());
         others = RecordedScore.ofTheOriginal(settings.rules());
+        objectives = settings.objectives();
         ghosts = settings.ghosts().get();
         readOnlyGhosts = LiveReaders.of(ghosts).orElse(null);
         directGhosts = readOnlyGhosts instanceof DirectGhosts direct ? direct : null;
@@ -68,7 +70,12 @@ public final class MsPacManTask implements Task {
 
     @Override
     public List<String> objectiveNames() {
-        return objectives.stream().map(GameScore::name).toList();
+        return objectives.stream().map(GameObjective::name).toList();
+    }
+
+    @Override
+    public double[] referencePoint() {
+        return objectives.stream().mapToDouble(GameObjective::worst).toArray();
     }
 
     @Override
@@ -144,7 +151,7 @@ public final class MsPacManTask implements Task {
             }
         }
         return new Evaluation(
-                aggregate(trialObjectives, i -> ScoreStatistic.AVERAGE),
+                aggregate(trialObjectives, i -> objectives.get(i).statistic()),
                 aggregate(trialOthers, i -> others.get(i).statistic()),
                 player.rememberedModuleUsage(),
                 outcomes);
@@ -235,20 +242,20 @@ public final class MsPacManTask implements Task {
     }
 
     /**
-     * Computes the objectives first, then the other scores in their order, because computing some of them has side
-     * effects on the game.
+     * The other scores first, in their order: asking some of them has side effects on the game. So an objective gives
+     * the same number as the recorded score of its name, and one of the user's own cannot change what is recorded.
      */
     private void addScores(
             TrialGame setting, Game game, int trial, double[][] trialObjectives, double[][] trialOthers) {
-        for (int i = 0; i < objectives.size(); i++) {
-            GameScore objective = objectives.get(i);
-            if (setting.countsGhosts() || objective != GameScore.GHOST_REWARD) {
-                trialObjectives[i][trial] = plus(trialObjectives[i][trial], objective.of(game), setting);
-            }
-        }
         for (int i = 0; i < others.size(); i++) {
             trialOthers[i][trial] =
                     plus(trialOthers[i][trial], others.get(i).score().of(game), setting);
+        }
+        for (int i = 0; i < objectives.size(); i++) {
+            GameScore score = objectives.get(i).score();
+            if (setting.countsGhosts() || score != GameScore.GHOST_REWARD) {
+                trialObjectives[i][trial] = plus(trialObjectives[i][trial], score.of(game), setting);
+            }
         }
     }
 

@@ -1,7 +1,11 @@
 package mmneat.mspacman;
 
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
 import java.util.function.Supplier;
 import mmneat.mspacman.modules.ModuleDivision;
+import mmneat.mspacman.objectives.GameObjective;
 import mmneat.mspacman.sensors.SensorSettings;
 import mmneat.neat.network.ModuleArbitration;
 import pacman.controllers.NewGhostController;
@@ -23,6 +27,7 @@ import pacman.game.GhostLocations;
  * @param arbitration how networks choose among their modules
  * @param ghosts creates the ghost team, one per task
  * @param deterministic whether a game's seed is its trial number instead of a random number
+ * @param objectives what networks are selected for, at least one, with different names
  */
 public record MsPacManTaskSettings(
         TaskVersion version,
@@ -32,11 +37,28 @@ public record MsPacManTaskSettings(
         ModuleDivision division,
         ModuleArbitration arbitration,
         Supplier<NewGhostController> ghosts,
-        boolean deterministic) {
+        boolean deterministic,
+        List<GameObjective> objectives) {
 
     private static final int PUBLISHED_TRIALS = 10;
 
+    /**
+     * Checked settings.
+     *
+     * @throws IllegalArgumentException if there is no trial or no objective, two objectives have one name, or the
+     *     isolated version has no ghost locations
+     */
     public MsPacManTaskSettings {
+        objectives = List.copyOf(objectives);
+        if (objectives.isEmpty()) {
+            throw new IllegalArgumentException("there must be at least one objective");
+        }
+        Set<String> names = new HashSet<>();
+        for (GameObjective objective : objectives) {
+            if (!names.add(objective.name())) {
+                throw new IllegalArgumentException("two objectives are called " + objective.name());
+            }
+        }
         if (trials < 1) {
             throw new IllegalArgumentException("trials must be at least 1, is " + trials);
         }
@@ -44,6 +66,19 @@ public record MsPacManTaskSettings(
             throw new IllegalArgumentException(
                     "the isolated version needs recorded ghost locations (mazePowerPillGhostMapping)");
         }
+    }
+
+    /** Settings with the two published objectives. */
+    public MsPacManTaskSettings(
+            TaskVersion version,
+            int trials,
+            GameRules rules,
+            SensorSettings sensors,
+            ModuleDivision division,
+            ModuleArbitration arbitration,
+            Supplier<NewGhostController> ghosts,
+            boolean deterministic) {
+        this(version, trials, rules, sensors, division, arbitration, ghosts, deterministic, GameObjective.PUBLISHED);
     }
 
     /** The published blended version, for networks with preference neurons. */
@@ -71,22 +106,24 @@ public record MsPacManTaskSettings(
 
     /** Returns these settings with another number of trials. */
     public MsPacManTaskSettings withTrials(int number) {
-        return new MsPacManTaskSettings(version, number, rules, sensors, division, arbitration, ghosts, deterministic);
+        return new MsPacManTaskSettings(
+                version, number, rules, sensors, division, arbitration, ghosts, deterministic, objectives);
     }
 
     /** Returns these settings for single games, each of which depends only on its generator. */
     public MsPacManTaskSettings forSingleGames() {
-        return new MsPacManTaskSettings(version, 1, rules, sensors, division, arbitration, ghosts, false);
+        return new MsPacManTaskSettings(version, 1, rules, sensors, division, arbitration, ghosts, false, objectives);
     }
 
     /** Returns these settings with other rules of a full game. */
     public MsPacManTaskSettings withRules(GameRules ofFullGame) {
         return new MsPacManTaskSettings(
-                version, trials, ofFullGame, sensors, division, arbitration, ghosts, deterministic);
+                version, trials, ofFullGame, sensors, division, arbitration, ghosts, deterministic, objectives);
     }
 
     /** Returns these settings for multitask networks. */
     public MsPacManTaskSettings withDivision(ModuleDivision ofTask) {
-        return new MsPacManTaskSettings(version, trials, rules, sensors, ofTask, arbitration, ghosts, deterministic);
+        return new MsPacManTaskSettings(
+                version, trials, rules, sensors, ofTask, arbitration, ghosts, deterministic, objectives);
     }
 }

@@ -3,6 +3,7 @@ package mmneat.nsga2;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.ToIntFunction;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -51,12 +52,27 @@ public record ParentSelection(boolean isCrossing, double crossoverRate, Crowding
             Variation<P, C> variation,
             ResumableRandom random) {
         requireParents(parents.size(), scores.length, count);
-        Tournament tournament = tournament(scores, isFirstGeneration);
+        return children(parents, tournament(scores, isFirstGeneration)::winner, count, variation, random);
+    }
+
+    /**
+     * Makes {@code count} children of parents that are chosen in another way.
+     *
+     * @param choice gives the index of a parent, once for each parent that is needed
+     * @throws IllegalStateException if {@code variation} gives no children of two parents, or more than there is room
+     *     for, or {@code choice} names no parent
+     */
+    public <P, C> List<C> children(
+            List<P> parents,
+            ToIntFunction<ResumableRandom> choice,
+            int count,
+            Variation<P, C> variation,
+            ResumableRandom random) {
         List<C> children = new ArrayList<>(count);
         while (children.size() < count) {
-            P parent = parents.get(tournament.winner(random));
+            P parent = chosen(parents, choice, random);
             if (isCrossing && random.nextDouble() < crossoverRate) {
-                P mate = parents.get(tournament.winner(random));
+                P mate = chosen(parents, choice, random);
                 int room = count - children.size();
                 List<C> pair = variation.fromTwo(parent, mate, room, random);
                 requireFitting(pair.size(), room);
@@ -78,6 +94,14 @@ public record ParentSelection(boolean isCrossing, double crossoverRate, Crowding
         if (count > 0 && parents == 0) {
             throw new IllegalArgumentException("there are no parents to make " + count + " children of");
         }
+    }
+
+    private static <P> P chosen(List<P> parents, ToIntFunction<ResumableRandom> choice, ResumableRandom random) {
+        int index = choice.applyAsInt(random);
+        if (index < 0 || index >= parents.size()) {
+            throw new IllegalStateException("the selection chose parent " + index + " of " + parents.size());
+        }
+        return parents.get(index);
     }
 
     private static void requireFitting(int children, int room) {

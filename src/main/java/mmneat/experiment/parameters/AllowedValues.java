@@ -8,30 +8,43 @@ import java.util.List;
  * @param minimum the smallest number; minus infinity if there is none
  * @param maximum the largest number; infinity if there is none
  * @param choices the allowed words; empty if every text is allowed
+ * @param isOpen whether the value may also be the name of a class of the user's own
  */
-record AllowedValues(double minimum, double maximum, List<String> choices) {
+record AllowedValues(double minimum, double maximum, List<String> choices, boolean isOpen) {
+
+    /** The last choice of a list that the user's own classes extend. */
+    private static final String OWN_CLASS = "<class>";
 
     private static final AllowedValues ANYTHING =
-            new AllowedValues(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of());
+            new AllowedValues(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of(), false);
 
     AllowedValues {
         choices = List.copyOf(choices);
     }
 
-    /** Reads the catalogue's form: {@code 0..1}, {@code 1..}, {@code red|green}, or nothing. */
+    /**
+     * Reads the catalogue's form: {@code 0..1}, {@code 1..}, {@code red|green}, {@code red|green|<class>}, or nothing.
+     */
     static AllowedValues of(String text) {
         if (text.isEmpty()) {
             return ANYTHING;
         }
         int dots = text.indexOf("..");
         if (dots < 0) {
-            return new AllowedValues(ANYTHING.minimum, ANYTHING.maximum, List.of(text.split("\\|")));
+            List<String> choices = List.of(text.split("\\|"));
+            boolean isOpen = choices.contains(OWN_CLASS);
+            return new AllowedValues(
+                    ANYTHING.minimum,
+                    ANYTHING.maximum,
+                    choices.stream().filter(choice -> !choice.equals(OWN_CLASS)).toList(),
+                    isOpen);
         }
         String last = text.substring(dots + 2);
         return new AllowedValues(
                 Double.parseDouble(text.substring(0, dots)),
                 last.isEmpty() ? Double.POSITIVE_INFINITY : Double.parseDouble(last),
-                List.of());
+                List.of(),
+                false);
     }
 
     /** Returns the choice that equals the text except for case; the text itself if there is none. */
@@ -41,7 +54,7 @@ record AllowedValues(double minimum, double maximum, List<String> choices) {
 
     boolean permits(ParameterType type, String canonical) {
         if (!choices.isEmpty()) {
-            return choices.contains(canonical);
+            return choices.contains(canonical) || isOpen && OwnClasses.isName(canonical);
         }
         if (type == ParameterType.DOUBLE || type == ParameterType.INTEGER || type == ParameterType.LONG) {
             double value = Double.parseDouble(canonical);
@@ -53,7 +66,8 @@ record AllowedValues(double minimum, double maximum, List<String> choices) {
     /** Returns a description of the allowed values that follows the words "must be". */
     String describe(ParameterType type) {
         if (!choices.isEmpty()) {
-            return choices.size() == 1 ? choices.get(0) : "one of " + String.join(", ", choices);
+            String words = choices.size() == 1 ? choices.get(0) : "one of " + String.join(", ", choices);
+            return isOpen ? words + ", or a class of your own" : words;
         }
         if (minimum == Double.NEGATIVE_INFINITY && maximum == Double.POSITIVE_INFINITY) {
             return type.description();

@@ -3,6 +3,8 @@ package mmneat.experiment.parameters;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import mmneat.evolution.EvolutionSettings;
 import mmneat.evolution.Task;
@@ -10,13 +12,16 @@ import mmneat.evolution.Tug;
 import mmneat.experiment.UserError;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.ModuleLayout;
+import mmneat.neat.variation.CrossoverOperator;
 import mmneat.neat.variation.InitialNetworks;
 import mmneat.neat.variation.InputSelection;
 import mmneat.neat.variation.ModuleGate;
+import mmneat.neat.variation.MutationOperator;
 import mmneat.neat.variation.MutationRates;
 import mmneat.neat.variation.VariationSettings;
 import mmneat.nsga2.Crowding;
 import mmneat.nsga2.ParentSelection;
+import mmneat.nsga2.Selection;
 
 /**
  * The parameters of an evolution except those of its task. Components have the names of the parameters, which the
@@ -53,7 +58,16 @@ public record EvolutionParameters(
         double freezePolicyRate,
         double freezePreferenceRate,
         double freezeAlternateRate,
-        int disabledMode) {
+        int disabledMode,
+        String mutations,
+        String crossover,
+        String selection,
+        String jar) {
+
+    /** NEAT's crossover, the value of {@code crossover} that is no class of the user's own. */
+    private static final String NEAT_CROSSOVER = "TWEANNCrossover";
+
+    private static final Pattern OWN_MUTATION = Pattern.compile("(.+):([^:]+)");
 
     /**
      * Returns the settings of an evolution that parameters give for a task.
@@ -71,24 +85,62 @@ public record EvolutionParameters(
             throw new UserError("fsLinksPerOut=" + fsLinksPerOut + ": the networks have " + task.inputs()
                     + " inputs; give at most as many");
         }
-        InputSelection selection = new InputSelection(fs, fsLinksPerOut);
+        InputSelection inputs = new InputSelection(fs, fsLinksPerOut);
         ActivationFunction activation = ActivationFunction.ofCode(ftype);
-        return new EvolutionSettings(
+        if (tug.isPresent() && !selection.isBlank()) {
+            throw new UserError("selection=" + selection + " does not go with ea=TUGNSGA2: leave one of them out");
+        }
+        OwnClasses classes = new OwnClasses(jar);
+        EvolutionSettings settings = new EvolutionSettings(
                 randomSeed,
                 initialPopulationSeed == -1 ? OptionalInt.empty() : OptionalInt.of(initialPopulationSeed),
                 mu,
                 maxGens,
                 cleanFrequency,
-                new InitialNetworks(task.inputs(), layout(task.policyNeuronsPerModule()), selection, activation),
+                new InitialNetworks(task.inputs(), layout(task.policyNeuronsPerModule()), inputs, activation),
                 new ParentSelection(mating, crossoverRate, crowdingOf(crowding)),
-                new VariationSettings(
-                        rates(),
-                        new ModuleGate(maxModes, usageForNewMode),
-                        crossExcessRate,
-                        deleteLeastUsed,
-                        selection,
-                        activation),
-                tug);
+                variation(inputs, activation, classes),
+                tug,
+                Optional.empty());
+        return selection.isBlank()
+                ? settings
+                : settings.withSelection(classes.make("selection", selection.strip(), Selection.class));
+    }
+
+    private VariationSettings variation(InputSelection inputs, ActivationFunction activation, OwnClasses classes) {
+        VariationSettings variation = new VariationSettings(
+                rates(),
+                new ModuleGate(maxModes, usageForNewMode),
+                crossExcessRate,
+                deleteLeastUsed,
+                inputs,
+                activation);
+        for (String mutation : OwnClasses.names(mutations)) {
+            variation = withOwnMutation(variation, mutation, classes);
+        }
+        return crossover.equals(NEAT_CROSSOVER)
+                ? variation
+                : variation.withCrossover(classes.make("crossover", crossover, CrossoverOperator.class));
+    }
+
+    private static VariationSettings withOwnMutation(VariationSettings variation, String mutation, OwnClasses classes) {
+        Matcher parts = OWN_MUTATION.matcher(mutation);
+        double rate = -1;
+        try {
+            rate = parts.matches() ? Double.parseDouble(parts.group(2)) : -1;
+        } catch (NumberFormatException e) {
+            // Refused below, with what is missing altogether.
+        }
+        if (!(rate >= 0 && rate <= 1)) {
+            throw new UserError("mutations=" + mutation
+                    + ": must be the name of a class and its rate from 0 to 1, such as my.Operator:0.1");
+        }
+        MutationOperator operator = classes.make("mutations", parts.group(1), MutationOperator.class);
+        String name = operator.logName();
+        if (name == null || !name.matches("\\S+")) {
+            throw new UserError("mutations=" + mutation + ": logName() must be one word, is '" + name + "'");
+        }
+        return variation.withMutation(rate, operator);
     }
 
     private static Crowding crowdingOf(String crowding) {

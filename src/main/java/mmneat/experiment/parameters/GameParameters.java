@@ -80,6 +80,7 @@ record GameParameters(
         int smallStepSimDepth,
         boolean highLevel,
         String ownSensors,
+        String objectives,
         String jar,
         boolean softmaxModeSelection,
         double softmaxTemperature,
@@ -119,15 +120,18 @@ record GameParameters(
         if (!pacmanInputOutputMediator.equals(MEDIATOR)) {
             throw new UserError("pacmanInputOutputMediator=" + pacmanInputOutputMediator + ": must be " + MEDIATOR);
         }
+        OwnClasses classes = new OwnClasses(jar);
+        GameRules rules = rules(version, locations);
         return new MsPacManTaskSettings(
                 version,
                 trials,
-                rules(version, locations),
-                sensors(version),
-                division(),
+                rules,
+                sensors(version, classes),
+                division(classes),
                 arbitration(),
-                TEAMS.get(ghostTeam),
-                deterministic);
+                ghosts(classes),
+                deterministic,
+                ObjectiveParameter.read(objectives, classes, version, rules));
     }
 
     private GameRules rules(TaskVersion version, GhostLocations locations) {
@@ -171,14 +175,16 @@ record GameParameters(
         return switches.keySet();
     }
 
-    private SensorSettings sensors(TaskVersion version) {
+    private SensorSettings sensors(TaskVersion version, OwnClasses classes) {
         return new SensorSettings(
                 sensorGroups(version),
                 junctionsToSense,
                 smallStepSimDepth,
                 edibleTime,
                 CLOSE_TO_POWER_PILL,
-                sensorsOfOnesOwn());
+                OwnClasses.names(ownSensors).stream()
+                        .map(name -> labelled(name, classes.make("ownSensors", name, Sensor.class)))
+                        .toList());
     }
 
     private Set<SensorGroup> sensorGroups(TaskVersion version) {
@@ -196,18 +202,6 @@ record GameParameters(
         return choice.keySet();
     }
 
-    private List<Sensor> sensorsOfOnesOwn() {
-        if (ownSensors.isBlank()) {
-            return List.of();
-        }
-        OwnClasses classes = new OwnClasses(jar);
-        return Stream.of(ownSensors.split(","))
-                .map(String::strip)
-                .filter(name -> !name.isEmpty())
-                .map(name -> labelled(name, classes.make("ownSensors", name, Sensor.class)))
-                .toList();
-    }
-
     private static Sensor labelled(String name, Sensor sensor) {
         String label = sensor.label();
         if (label == null) {
@@ -217,16 +211,22 @@ record GameParameters(
         return sensor;
     }
 
-    private ModuleDivision division() {
+    private ModuleDivision division(OwnClasses classes) {
         if (multitaskModes < 2) {
             return null;
         }
-        ModuleDivision division = ModuleDivisions.named(pacmanMultitaskScheme);
+        ModuleDivision division = ModuleDivisions.find(pacmanMultitaskScheme)
+                .orElseGet(() -> classes.make("pacmanMultitaskScheme", pacmanMultitaskScheme, ModuleDivision.class));
         if (division.modules() != multitaskModes) {
             throw new UserError("multitaskModes=" + multitaskModes + ": " + pacmanMultitaskScheme + " chooses among "
                     + division.modules() + " modules");
         }
         return division;
+    }
+
+    private Supplier<NewGhostController> ghosts(OwnClasses classes) {
+        Supplier<NewGhostController> known = TEAMS.get(ghostTeam);
+        return known != null ? known : OwnGhosts.factory(ghostTeam, classes);
     }
 
     private ModuleArbitration arbitration() {

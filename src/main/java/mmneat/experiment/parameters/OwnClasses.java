@@ -6,25 +6,61 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
 /** Loads the user's classes that parameters name, from the class path or from {@code jar=FILE}. */
 final class OwnClasses {
 
-    private final ClassLoader loader;
+    private static final Pattern NAME = Pattern.compile("\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*"
+            + "(\\.\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*)*");
+
     private final String jar;
+
+    /** Made when a class is asked for: parameters may name a jar of which nothing is needed. */
+    private ClassLoader loader;
 
     /**
      * Opens the jar or folder, if there is one.
      *
      * @param jar a jar or a folder of classes, searched after the class path; empty: the class path only
-     * @throws UserError if it cannot be read
      */
     OwnClasses(String jar) {
         this.jar = jar;
-        ClassLoader ours = OwnClasses.class.getClassLoader();
-        // It stays open while the program runs, because a class may load others at any time.
-        loader = jar.isEmpty() ? ours : new URLClassLoader(new URL[] {url(jar)}, ours);
+    }
+
+    private synchronized ClassLoader loader() {
+        if (loader == null) {
+            ClassLoader ours = OwnClasses.class.getClassLoader();
+            // It stays open while the program runs, because a class may load others at any time.
+            loader = jar.isEmpty() ? ours : new URLClassLoader(new URL[] {url(jar)}, ours);
+        }
+        return loader;
+    }
+
+    /** Whether a text can be the full name of a class. */
+    static boolean isName(String text) {
+        return NAME.matcher(text).matches();
+    }
+
+    /** The names in a list that is separated by commas; empty ones are left out. */
+    static List<String> names(String list) {
+        return Stream.of(list.split(","))
+                .map(String::strip)
+                .filter(name -> !name.isEmpty())
+                .toList();
+    }
+
+    /** Whether there is a class with a name. Nothing in it runs. */
+    boolean has(String className) {
+        try {
+            Class.forName(className, false, loader());
+            return true;
+        } catch (ClassNotFoundException | LinkageError e) {
+            return false;
+        }
     }
 
     private static URL url(String jar) {
@@ -44,13 +80,13 @@ final class OwnClasses {
      *
      * @param parameter the parameter that names it, for messages
      * @param type the required type
-     * @throws UserError if there is no such class
+     * @throws UserError if there is no such class, or its jar cannot be read
      */
     <T> Class<? extends T> find(String parameter, String className, Class<T> type) {
         String asked = parameter + "=" + className;
         try {
             // The class is not initialised before its type has been checked.
-            return Class.forName(className, false, loader).asSubclass(type);
+            return Class.forName(className, false, loader()).asSubclass(type);
         } catch (ClassNotFoundException e) {
             throw new UserError(
                     asked + ": there is no such class"

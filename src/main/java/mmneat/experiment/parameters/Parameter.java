@@ -108,7 +108,7 @@ public record Parameter(
         return !group.equals(EVERYDAY);
     }
 
-    private UserError badValue(String text) {
+    UserError badValue(String text) {
         return new UserError(OriginalCounterparts.ofParameter(name, text)
                 .map(counterpart -> name + "=" + text + ": not supported; " + counterpart)
                 .orElse(name + "=" + text + ": must be " + allowedInWords()

@@ -69,7 +69,7 @@ public final class ParameterReader {
         requireNoContradiction(commandLine, Parameters.defaults(catalogue).with(file), preset);
         Parameters parameters = preset.with(asked);
         Optional<TaskVersion> version = PublishedTask.version(parameters);
-        requireNamedCode(commandLine, parameters, version.isPresent() ? "ownSensors" : "task");
+        new NamedCode(parameters, commandLine).requireAllowed(version.isPresent(), forGames);
         if (version.isPresent() && !parameters.ofOwnTask().isEmpty()) {
             throw new UserError("unknown parameter '" + OwnTask.PREFIX
                     + parameters.ofOwnTask().keySet().iterator().next() + "': names with '" + OwnTask.PREFIX
@@ -92,26 +92,6 @@ public final class ParameterReader {
             }
         }
         return new Result(parameters, List.copyOf(remarks));
-    }
-
-    /**
-     * Checks that the command line names the code to load. A parameter file, such as that in the folder of a run, may
-     * come from another person.
-     *
-     * @param classes the parameter that names classes
-     */
-    private static void requireNamedCode(Map<String, String> commandLine, Parameters parameters, String classes) {
-        String names = parameters.text(classes);
-        String jar = parameters.text("jar");
-        boolean isNamed = commandLine.containsKey("jar") || commandLine.containsKey(classes) && jar.isEmpty();
-        if (!names.isBlank() && !isNamed) {
-            String file = commandLine.getOrDefault("config", "the file");
-            throw new UserError(file + ": " + classes + "=" + names + " is code "
-                    + (jar.isEmpty() ? "from a jar that the file does not name" : "from jar=" + jar)
-                    + ", and code is loaded only if the command line names its jar; if you trust it, give jar="
-                    + (jar.isEmpty() ? "FILE" : jar) + " on the command line"
-                    + (jar.isEmpty() ? " (jar= if it is on the class path)" : ""));
-        }
     }
 
     private Map<String, String> commandLine(List<String> words, List<String> remarks) {

@@ -5,8 +5,8 @@ import mmneat.mspacman.sensors.Observation;
 /**
  * A human-specified division of the task, which selects the output module of a multitask network in each time step.
  *
- * <p>To add a division, write a class that implements this interface and has a public constructor without arguments,
- * and name it in {@code pacmanMultitaskScheme}. A division keeps no state.
+ * <p>A division of the user's own is a class with a public constructor without arguments, named in {@code
+ * pacmanMultitaskScheme}. It keeps no state: one object serves all threads of a run.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 6.
  */

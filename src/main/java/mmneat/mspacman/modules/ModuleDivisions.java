@@ -2,6 +2,7 @@ package mmneat.mspacman.modules;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** Finds divisions by the names in the parameter {@code pacmanMultitaskScheme}. */
@@ -31,17 +32,21 @@ public final class ModuleDivisions {
      * @throws IllegalArgumentException if there is none; the message lists the known names
      */
     public static ModuleDivision named(String name) {
+        return find(name).orElseGet(() -> load(name));
+    }
+
+    /** The division with the original's class name, with or without its package; empty if the original has none. */
+    public static Optional<ModuleDivision> find(String name) {
         String simple = name.substring(name.lastIndexOf('.') + 1);
-        ModuleDivision known = KNOWN.get(
+        return Optional.ofNullable(KNOWN.get(
                 simple.endsWith("ModeSelector")
                         ? simple.substring(0, simple.length() - "ModeSelector".length())
-                        : simple);
-        return known != null ? known : load(name);
+                        : simple));
     }
 
     private static ModuleDivision load(String name) {
         try {
-            return Class.forName(name)
+            return Class.forName(name, false, ModuleDivisions.class.getClassLoader())
                     .asSubclass(ModuleDivision.class)
                     .getConstructor()
                     .newInstance();

@@ -1,6 +1,5 @@
 package mmneat.mspacman.objectives;
 
-import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -17,6 +16,8 @@ import pacman.game.GameRules;
  * @param ofGame computes the score of a finished game
  */
 public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
+
+    static final String SURVIVAL_AND_SPEED = "SurvivalAndSpeedTimeScore";
 
     /** Eaten ghosts, weighted 1, 2, 4, 8 in the order eaten after one power pill. The first objective. */
     public static final GameScore GHOST_REWARD = new GameScore("GhostRewardScore", Game::getGhostReward);
@@ -74,7 +75,7 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
     public static GameScore survivalAndSpeed(GameRules rules) {
         double levelLimit = rules.levels().levelTimeLimit();
         double allTime = levelLimit * rules.levels().maximumLevel();
-        return new GameScore("SurvivalAndSpeedTimeScore", game -> {
+        return new GameScore(SURVIVAL_AND_SPEED, game -> {
             if (game.getPacmanNumberOfLivesRemaining() <= 0) {
                 return -allTime + game.getCurrentLevel() * levelLimit + game.getCurrentLevelTime();
             }
@@ -85,11 +86,6 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
     /** The value of a parameter, recorded because experiments may change it during a run. */
     public static GameScore parameter(String name, double value) {
         return new GameScore(name, game -> value);
-    }
-
-    /** The two objectives of the published experiments, in their order. */
-    public static List<GameScore> publishedObjectives() {
-        return List.of(GHOST_REWARD, PILLS);
     }
 
     /** The score of a finished game. */

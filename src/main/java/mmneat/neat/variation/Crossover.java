@@ -22,7 +22,7 @@ import mmneat.random.ResumableRandom;
  *
  * @param excessRate probability that both children get all genes, also those that only one parent has
  */
-record Crossover(double excessRate) {
+record Crossover(double excessRate) implements CrossoverOperator {
 
     /** The links of two parents that represent the same structure; one is null if a parent lacks it. */
     private record Pair(LinkGene ofA, LinkGene ofB) {}
@@ -37,7 +37,8 @@ record Crossover(double excessRate) {
      * Crosses two copies of the parents: each becomes the child with its own structure. Each child keeps its id, policy
      * neurons per module and module usage.
      */
-    void cross(GenotypeDraft a, GenotypeDraft b, Archetype archetype, ResumableRandom random) {
+    @Override
+    public void cross(GenotypeDraft a, GenotypeDraft b, Archetype archetype, ResumableRandom random) {
         boolean isExcessShared = random.nextFloat() < excessRate;
         List<NodeGene> nodesOfA = new ArrayList<>(a.nodes());
         List<NodeGene> nodesOfB = new ArrayList<>(b.nodes());

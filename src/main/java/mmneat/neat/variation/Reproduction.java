@@ -20,7 +20,7 @@ import mmneat.random.ResumableRandom;
 public final class Reproduction {
 
     private final GenePool pool;
-    private final Crossover crossover;
+    private final CrossoverOperator crossover;
     private final OffspringMutation mutation;
 
     /**
@@ -31,7 +31,7 @@ public final class Reproduction {
     public Reproduction(VariationSettings settings, GenePool pool) {
         this.pool = Objects.requireNonNull(pool, "pool");
         Objects.requireNonNull(settings, "settings");
-        this.crossover = new Crossover(settings.crossoverExcessRate());
+        this.crossover = settings.ownCrossover().orElseGet(() -> new Crossover(settings.crossoverExcessRate()));
         this.mutation = new OffspringMutation(settings);
     }
 

@@ -3,6 +3,7 @@ package mmneat.neat.variation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import mmneat.neat.ActivationFunction;
 
 /**
@@ -17,6 +18,7 @@ import mmneat.neat.ActivationFunction;
  * @param selection inputs that a new module is linked to
  * @param activation activation function of new neurons
  * @param ownMutations additional mutation operators of the caller, tried in this order after all others; usually none
+ * @param ownCrossover crossover of the caller instead of NEAT's; usually none
  */
 public record VariationSettings(
         MutationRates rates,
@@ -25,7 +27,8 @@ public record VariationSettings(
         boolean isLeastUsedModuleDeleted,
         InputSelection selection,
         ActivationFunction activation,
-        List<OwnMutation> ownMutations) {
+        List<OwnMutation> ownMutations,
+        Optional<CrossoverOperator> ownCrossover) {
 
     /**
      * An additional mutation operator of the caller.
@@ -61,13 +64,14 @@ public record VariationSettings(
         Objects.requireNonNull(gate, "gate");
         Objects.requireNonNull(selection, "selection");
         Objects.requireNonNull(activation, "activation");
+        Objects.requireNonNull(ownCrossover, "ownCrossover");
         ownMutations = List.copyOf(Objects.requireNonNull(ownMutations, "ownMutations"));
         if (!(crossoverExcessRate >= 0 && crossoverExcessRate <= 1)) {
             throw new IllegalArgumentException("crossoverExcessRate must be in [0, 1], is " + crossoverExcessRate);
         }
     }
 
-    /** Settings without additional mutation operators. */
+    /** Settings without operators of the caller. */
     public VariationSettings(
             MutationRates rates,
             ModuleGate gate,
@@ -75,7 +79,15 @@ public record VariationSettings(
             boolean isLeastUsedModuleDeleted,
             InputSelection selection,
             ActivationFunction activation) {
-        this(rates, gate, crossoverExcessRate, isLeastUsedModuleDeleted, selection, activation, List.of());
+        this(
+                rates,
+                gate,
+                crossoverExcessRate,
+                isLeastUsedModuleDeleted,
+                selection,
+                activation,
+                List.of(),
+                Optional.empty());
     }
 
     /** The settings of the published experiments, with other mutation rates. */
@@ -86,7 +98,14 @@ public record VariationSettings(
     /** These settings with other mutation rates. */
     public VariationSettings withRates(MutationRates newRates) {
         return new VariationSettings(
-                newRates, gate, crossoverExcessRate, isLeastUsedModuleDeleted, selection, activation, ownMutations);
+                newRates,
+                gate,
+                crossoverExcessRate,
+                isLeastUsedModuleDeleted,
+                selection,
+                activation,
+                ownMutations,
+                ownCrossover);
     }
 
     /**
@@ -98,6 +117,19 @@ public record VariationSettings(
         List<OwnMutation> more = new ArrayList<>(ownMutations);
         more.add(new OwnMutation(rate, operator));
         return new VariationSettings(
-                rates, gate, crossoverExcessRate, isLeastUsedModuleDeleted, selection, activation, more);
+                rates, gate, crossoverExcessRate, isLeastUsedModuleDeleted, selection, activation, more, ownCrossover);
+    }
+
+    /** These settings with a crossover of the caller's own. */
+    public VariationSettings withCrossover(CrossoverOperator crossover) {
+        return new VariationSettings(
+                rates,
+                gate,
+                crossoverExcessRate,
+                isLeastUsedModuleDeleted,
+                selection,
+                activation,
+                ownMutations,
+                Optional.of(crossover));
     }
 }

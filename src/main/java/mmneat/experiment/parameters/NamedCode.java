@@ -1,0 +1,84 @@
+package mmneat.experiment.parameters;
+
+import java.util.Map;
+import java.util.stream.Collectors;
+import mmneat.experiment.UserError;
+
+/**
+ * The code that parameters name: classes of the user's own.
+ *
+ * <p>A parameter file, as in the folder of a run, may come from someone else. So code is loaded only if the command
+ * line names its jar, or the class itself where that is on the class path.
+ */
+final class NamedCode {
+
+    private final Parameters parameters;
+    private final Map<String, String> commandLine;
+
+    /** @param commandLine the words of the command line by name */
+    NamedCode(Parameters parameters, Map<String, String> commandLine) {
+        this.parameters = parameters;
+        this.commandLine = commandLine;
+    }
+
+    /**
+     * Makes sure that the command line allows all code that is loaded.
+     *
+     * @param isGame whether the task is Ms. Pac-Man, not a task of the user's own
+     * @param forGames whether networks only play, so that what decides their evolution is not loaded
+     * @throws UserError naming the parameter that asks for code, and how to allow it
+     */
+    void requireAllowed(boolean isGame, boolean forGames) {
+        if (!isGame) {
+            requireAllowed("task", parameters.text("task"));
+        } else {
+            requireAllowed("ownSensors", parameters.text("ownSensors"));
+            requireAllowed("objectives", ownObjectives());
+            requireAllowed("ghostTeam", ownChoice("ghostTeam"));
+            if (parameters.integer("multitaskModes") > 1) {
+                requireAllowed("pacmanMultitaskScheme", ownChoice("pacmanMultitaskScheme"));
+            }
+        }
+        if (!forGames) {
+            requireAllowed("mutations", parameters.text("mutations"));
+            requireAllowed("crossover", ownChoice("crossover"));
+            requireAllowed("selection", parameters.text("selection"));
+        }
+    }
+
+    /** The value if it is the name of a class of the user's own, else nothing. */
+    private String ownChoice(String name) {
+        String value = parameters.text(name);
+        Parameter parameter = parameters.catalogue().require(name);
+        return parameter.choices().contains(value) ? "" : value;
+    }
+
+    private String ownObjectives() {
+        return OwnClasses.names(parameters.text("objectives")).stream()
+                .filter(name -> !ObjectiveParameter.isRecorded(name))
+                .collect(Collectors.joining(","));
+    }
+
+    private void requireAllowed(String classes, String names) {
+        String jar = parameters.text("jar");
+        boolean isNamed = commandLine.containsKey("jar") || commandLine.containsKey(classes) && jar.isEmpty();
+        if (!names.isBlank() && !isNamed) {
+            String file = commandLine.getOrDefault("config", "the file");
+            throw new UserError(file + ": " + classes + "=" + names + " is code "
+                    + (jar.isEmpty() ? "from a jar that the file does not name" : "from jar=" + jar)
+                    + ", and code is loaded only if the command line names its jar; if you trust it, give jar="
+                    + (jar.isEmpty() ? "FILE" : jar) + " on the command line"
+                    + (jar.isEmpty() ? " (jar= if it is on the class path)" : ""));
+        }
+        requireNoTypingError(classes, names, jar);
+    }
+
+    /** A name without a package is more likely a choice that is spelled wrong than a class of the user's own. */
+    private void requireNoTypingError(String name, String value, String jar) {
+        Parameter parameter = parameters.catalogue().require(name);
+        boolean isOpenChoice = !value.isEmpty() && !parameter.choices().isEmpty();
+        if (isOpenChoice && !value.contains(".") && jar.isEmpty() && !new OwnClasses("").has(value)) {
+            throw parameter.badValue(value);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package mmneat.experiment.parameters;
+
+import java.util.List;
+import mmneat.experiment.NearestName;
+import mmneat.experiment.PlainText;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.TaskVersion;
+import mmneat.mspacman.TrialGame;
+import mmneat.mspacman.objectives.GameObjective;
+import mmneat.mspacman.objectives.NamedObjectives;
+import mmneat.mspacman.objectives.Objective;
+import pacman.game.GameRules;
+
+/** The parameter {@code objectives}: recorded scores by their names, and classes of the user's own. */
+final class ObjectiveParameter {
+
+    private static final String NAME = "objectives";
+
+    private ObjectiveParameter() {}
+
+    /** Whether a name is that of a recorded score, not of a class. */
+    static boolean isRecorded(String name) {
+        return new NamedObjectives(GameRules.blended(), 1).named(name).isPresent();
+    }
+
+    /**
+     * The objectives that a value names.
+     *
+     * @param value names separated by commas; blank: the published ones
+     * @throws UserError if a name is neither a recorded score nor a usable class
+     */
+    static List<GameObjective> read(String value, OwnClasses classes, TaskVersion version, GameRules rules) {
+        List<String> names = OwnClasses.names(value);
+        if (names.isEmpty()) {
+            return GameObjective.PUBLISHED;
+        }
+        NamedObjectives recorded =
+                new NamedObjectives(rules, TrialGame.of(version, rules).size());
+        return names.stream()
+                .map(name -> recorded.named(name).orElseGet(() -> own(name, recorded, classes)))
+                .toList();
+    }
+
+    private static GameObjective own(String name, NamedObjectives recorded, OwnClasses classes) {
+        if (!name.contains(".") && !classes.has(name)) {
+            throw new UserError(NAME + "=" + name + ": must be one of " + String.join(", ", recorded.names())
+                    + ", or a class of your own" + NearestName.suggestion(name, recorded.names()));
+        }
+        GameObjective objective = GameObjective.of(classes.make(NAME, name, Objective.class));
+        if (objective.name() == null || objective.name().isBlank() || !Double.isFinite(objective.worst())) {
+            throw new UserError(NAME + "=" + name + ": name() must not be empty and worst() must be finite");
+        }
+        PlainText.require(NAME + "=" + name + ": name()", objective.name());
+        return objective;
+    }
+}

@@ -1,0 +1,47 @@
+package mmneat.experiment.parameters;
+
+import java.util.EnumMap;
+import java.util.function.Supplier;
+import mmneat.experiment.UserError;
+import mmneat.mspacman.OwnGhostTeam;
+import pacman.controllers.Controller;
+import pacman.controllers.NewGhostController;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * The parameter {@code ghostTeam} with a class of the user's own: any controller of the ghosts, for example a contest's
+ * entry.
+ */
+final class OwnGhosts {
+
+    private static final String NAME = "ghostTeam";
+
+    private OwnGhosts() {}
+
+    /** @throws UserError if the class is no controller of the ghosts or cannot be made */
+    static Supplier<NewGhostController> factory(String className, OwnClasses classes) {
+        requireGhosts(className, classes.find(NAME, className, Controller.class));
+        Supplier<Controller<EnumMap<GHOST, MOVE>>> teams = () -> team(className, classes);
+        teams.get();
+        return () -> new OwnGhostTeam(teams);
+    }
+
+    /** The return type of the most special {@code getMove} tells whose moves a controller decides on. */
+    private static void requireGhosts(String className, Class<?> type) {
+        try {
+            Class<?> moves = type.getMethod("getMove", Game.class, long.class).getReturnType();
+            if (moves == MOVE.class) {
+                throw new UserError(NAME + "=" + className + ": is a controller of Ms. Pac-Man, not of the ghosts");
+            }
+        } catch (NoSuchMethodException | LinkageError e) {
+            throw new UserError(NAME + "=" + className + ": the class cannot be loaded: " + e, e);
+        }
+    }
+
+    @SuppressWarnings("unchecked") // requireGhosts refuses controllers of Ms. Pac-Man.
+    private static Controller<EnumMap<GHOST, MOVE>> team(String className, OwnClasses classes) {
+        return classes.make(NAME, className, Controller.class);
+    }
+}

@@ -1,0 +1,39 @@
+package mmneat.mspacman;
+
+import java.util.EnumMap;
+import java.util.Objects;
+import java.util.function.Supplier;
+import pacman.controllers.Controller;
+import pacman.controllers.NewGhostController;
+import pacman.game.Constants.GHOST;
+import pacman.game.Constants.MOVE;
+import pacman.game.Game;
+
+/**
+ * A ghost team of the user's own, for example an entry of a contest, made anew for each game: a game then depends on no
+ * game before it.
+ */
+public final class OwnGhostTeam extends NewGhostController {
+
+    private final Supplier<? extends Controller<EnumMap<GHOST, MOVE>>> teams;
+    private Controller<EnumMap<GHOST, MOVE>> team;
+
+    /** @param teams makes the team of a game */
+    public OwnGhostTeam(Supplier<? extends Controller<EnumMap<GHOST, MOVE>>> teams) {
+        this.teams = Objects.requireNonNull(teams, "teams");
+        reset();
+    }
+
+    @Override
+    public void reset() {
+        team = teams.get();
+        if (team instanceof NewGhostController resettable) {
+            resettable.reset();
+        }
+    }
+
+    @Override
+    public EnumMap<GHOST, MOVE> getMove(Game game, long timeDue) {
+        return team.getMove(game, timeDue);
+    }
+}

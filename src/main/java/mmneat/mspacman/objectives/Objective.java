@@ -1,0 +1,30 @@
+package mmneat.mspacman.objectives;
+
+import pacman.game.Game;
+
+/**
+ * An objective of the user's own for the evolution of Ms. Pac-Man, named in {@code objectives=}.
+ *
+ * <p>An implementation has a public constructor without arguments and keeps no state: one object serves all threads of
+ * a run. The scores of a trial's games are added up, and the sums are averaged over the trials.
+ */
+public interface Objective {
+
+    /** The name in the files and tables of a run: by default that of the class, without its package. */
+    default String name() {
+        return getClass().getSimpleName();
+    }
+
+    /**
+     * The score of a finished game, larger is better.
+     *
+     * @param game over; to be read only
+     * @return a finite number
+     */
+    double score(Game game);
+
+    /** The worst score possible in an evaluation, from which hypervolumes are measured. */
+    default double worst() {
+        return 0;
+    }
+}

@@ -1,0 +1,250 @@
+package mmneat.experiment.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import mmneat.CompiledClasses;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.ParameterCatalogue;
+import mmneat.experiment.parameters.ParameterReader;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Runs with parts of a user's own, in a jar: the examples, and others that are wrong. */
+class OwnPartsTest {
+
+    private static final String EXAMPLES = "src/examples/java";
+
+    /** Files that hold times of the clock, or what a run was asked for. */
+    private static final Set<String> OF_THE_MOMENT = Set.of(
+            "status.json",
+            "parameters.properties",
+            "checkpoint.json.gz",
+            "checkpoint-previous.json.gz",
+            "blended-run0_Performance_log.txt");
+
+    @TempDir
+    private static Path classes;
+
+    @TempDir
+    private Path folder;
+
+    private static Path jar;
+
+    @BeforeAll
+    static void compile() throws IOException {
+        List<String> sources = new ArrayList<>();
+        for (String name :
+                List.of("LateGame", "Survival", "TwoChasers", "WeightDecay", "AverageWeights", "BestSum", "Careful")) {
+            sources.add(Files.readString(Path.of(EXAMPLES, name + ".java")));
+        }
+        sources.add("package my; import java.util.EnumMap; import pacman.game.Constants.*;"
+                + " public class Counting extends pacman.controllers.Controller<EnumMap<GHOST, MOVE>> { private int calls;"
+                + " public EnumMap<GHOST, MOVE> getMove(pacman.game.Game game, long timeDue) {"
+                + " EnumMap<GHOST, MOVE> moves = new EnumMap<>(GHOST.class);"
+                + " moves.put(GHOST.INKY, MOVE.values()[calls++ / 7 % 4]); return moves; } }");
+        sources.add("package my; public class NoNumber implements mmneat.mspacman.objectives.Objective {"
+                + " public double score(pacman.game.Game game) { return Double.NaN; } }");
+        sources.add("package my; public class NoName implements mmneat.neat.variation.MutationOperator {"
+                + " public String logName() { return \"two words\"; }"
+                + " public boolean apply(mmneat.neat.GenotypeDraft offspring, mmneat.neat.GenePool pool,"
+                + " mmneat.random.ResumableRandom random) { return false; } }");
+        sources.add("package my; public class Twins implements mmneat.nsga2.Selection {"
+                + " public int[] survivors(double[][] scores, int count, mmneat.random.ResumableRandom random) {"
+                + " return new int[count]; } }");
+        Path compiled =
+                CompiledClasses.compile(classes, System.getProperty("java.class.path"), sources.toArray(String[]::new));
+        jar = CompiledClasses.jar(compiled, classes.resolve("my-parts.jar"));
+    }
+
+    private RunOutcome run(String base, int generations, String... words) throws Exception {
+        List<String> all = new ArrayList<>(List.of(
+                "task=blended",
+                "saveTo=run",
+                "mu=6",
+                "trials=1",
+                "pacManLevelTimeLimit=300",
+                "maxGens=" + generations,
+                "jar=" + jar,
+                "base=" + folder.resolve(base)));
+        all.addAll(Arrays.asList(words));
+        ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
+        return new ExperimentRunner(ExperimentPlan.of(reader.read(all).parameters()))
+                .run()
+                .get(0);
+    }
+
+    private Map<String, String> files(String base) throws IOException {
+        Path of = folder.resolve(base).resolve("run0");
+        try (Stream<Path> found = Files.walk(of)) {
+            Map<String, String> texts = new TreeMap<>();
+            for (Path file : found.filter(Files::isRegularFile).toList()) {
+                if (!OF_THE_MOMENT.contains(file.getFileName().toString())) {
+                    texts.put(of.relativize(file).toString(), Files.readString(file));
+                }
+            }
+            return texts;
+        }
+    }
+
+    private void assertMistake(String message, String... words) {
+        assertThatThrownBy(() -> run("mistake", 1, words))
+                .isInstanceOf(UserError.class)
+                .hasMessage(message);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "method=MT2 pacmanMultitaskScheme=LateGame",
+                "objectives=Survival,GameScore[Max],GhostRegretScore",
+                "ghostTeam=TwoChasers",
+                "ghostTeam=my.Counting",
+                "mutations=WeightDecay:0.5",
+                "crossover=AverageWeights",
+                "selection=BestSum",
+            })
+    void interruptedRun_equalsAnUninterruptedOne_andDiffersFromOneWithoutThePart(String words) throws Exception {
+        String[] parts = words.split(" ");
+        for (int generations = 1; generations <= 3; generations++) {
+            assertThat(run("interrupted", generations, parts).isComplete()).isTrue();
+        }
+        run("whole", 3, parts);
+        run("plain", 3, parts.length > 1 ? parts[0] : "method=2M");
+
+        assertThat(files("interrupted")).isEqualTo(files("whole")).isNotEqualTo(files("plain"));
+    }
+
+    @Test
+    void publishedObjectivesByName_giveTheFilesOfTheDefault() throws Exception {
+        run("named", 2, "objectives=GhostScore, PillScore");
+        run("default", 2);
+        assertThat(files("named")).isEqualTo(files("default"));
+    }
+
+    @Test
+    void recordedScoreAsObjective_isTheRecordedNumber() throws Exception {
+        run("recorded", 1, "objectives=GameScore[Max],SurvivalAndSpeedTimeScore,LevelGameScore#2", "trials=2");
+        Map<String, String> files = files("recorded");
+        List<String> objectives =
+                files.get("blended-run0_parents_gen0.txt").lines().toList();
+        List<String> others =
+                files.get("blended-run0_parents_other_scores_gen0.txt").lines().toList();
+        assertThat(files.get("generations.csv"))
+                .contains("\"best GameScore[Max]\",\"best SurvivalAndSpeedTimeScore\",\"best LevelGameScore#2\"");
+        assertThat(objectives).hasSize(6);
+        for (int i = 0; i < objectives.size(); i++) {
+            String[] selected = objectives.get(i).split("\t");
+            String[] recorded = others.get(i).split("\t");
+            // Number and id come first; the places are those of docs/specification/mspacman-task.md, section 5.
+            assertThat(selected[2]).isEqualTo(recorded[3]);
+            assertThat(selected[3]).isEqualTo(recorded[20]);
+            assertThat(selected[4]).isEqualTo(recorded[23]);
+        }
+    }
+
+    @Test
+    void mutationOfOnesOwn_isInTheLogOfMutations() throws Exception {
+        run("logged", 1, "mutations=WeightDecay:1");
+        assertThat(files("logged").get("blended-run0_Mutations_log.txt").lines())
+                .filteredOn(line -> !line.startsWith("---"))
+                .hasSize(6)
+                .allMatch(line -> line.endsWith(" WeightDecay "));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "pacmanMultitaskScheme=java.lang.String method=MT2 | mmneat.mspacman.modules.ModuleDivision",
+                "objectives=java.lang.String | mmneat.mspacman.objectives.Objective",
+                "mutations=java.lang.String:0.1 | mmneat.neat.variation.MutationOperator",
+                "crossover=java.lang.String | mmneat.neat.variation.CrossoverOperator",
+                "selection=java.lang.String | mmneat.nsga2.Selection",
+            })
+    void wrongClass_isAMistakeThatNamesTheInterface(String words, String type) {
+        String asked = words.split(" ")[0].replace(":0.1", "");
+        assertMistake(asked + ": the class must implement " + type, words.split(" "));
+        String missing = asked.replace("java.lang.String", "my.Nothing");
+        assertMistake(
+                missing + ": there is no such class in " + jar,
+                words.replace("java.lang.String", "my.Nothing").split(" "));
+    }
+
+    @Test
+    void otherUnusableParts_areMistakesThatSayWhatIsWrong() throws Exception {
+        assertMistake(
+                "ghostTeam=java.lang.String: the class must extend pacman.controllers.Controller",
+                "ghostTeam=java.lang.String");
+        assertMistake("ghostTeam=Careful: is a controller of Ms. Pac-Man, not of the ghosts", "ghostTeam=Careful");
+        assertMistake(
+                "mutations=WeightDecay: must be the name of a class and its rate from 0 to 1, such as my.Operator:0.1",
+                "mutations=WeightDecay");
+        assertMistake(
+                "mutations=WeightDecay:2: must be the name of a class and its rate from 0 to 1, such as my.Operator:0.1",
+                "mutations=WeightDecay:2");
+        assertMistake("mutations=my.NoName:1: logName() must be one word, is 'two words'", "mutations=my.NoName:1");
+        assertMistake("two objectives are called Survival", "objectives=Survival,Survival");
+        assertMistake(
+                "selection=BestSum does not go with ea=TUGNSGA2: leave one of them out",
+                "selection=BestSum",
+                "ea=TUGNSGA2");
+        assertThatThrownBy(() -> run("mistake", 1, "objectives=PilScore"))
+                .isInstanceOf(UserError.class)
+                .hasMessageStartingWith("objectives=PilScore: must be one of GameScore, GameScore[Max], PillScore, ")
+                .hasMessageEndingWith("(did you mean 'PillScore'?)");
+        assertThat(run("scores", 1, "objectives=my.NoNumber").message())
+                .contains("NoNumber", "task=blended")
+                .doesNotContain("\n");
+        assertThat(run("twins", 1, "selection=my.Twins").message())
+                .contains("the selection must name 6 different survivors of 12");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ghostTeam=Legasy", "pacmanMultitaskScheme=AnyPils", "crossover=TWEANCrossover"})
+    void misspelledChoice_isAMistakeThatListsTheChoices(String word) {
+        ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
+        assertThatThrownBy(() -> reader.read(List.of("task=blended", "method=MT2", word)))
+                .isInstanceOf(UserError.class)
+                .hasMessageStartingWith(word + ": must be ")
+                .hasMessageContaining("or a class of your own");
+    }
+
+    /** The folder of a run may come from someone else. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "pacmanMultitaskScheme=LateGame multitaskModes=2",
+                "objectives=Survival",
+                "ghostTeam=TwoChasers",
+                "mutations=WeightDecay:0.5",
+                "crossover=AverageWeights",
+                "selection=BestSum"
+            })
+    void partThatAFileNames_needsTheJarOnTheCommandLine(String words) throws Exception {
+        String lines = Stream.of(("task=blended startingModes=1 jar=" + jar + " " + words).split(" "))
+                .collect(Collectors.joining("\n"));
+        Path file = Files.writeString(folder.resolve("parameters.properties"), lines);
+        ParameterReader reader = new ParameterReader(ParameterCatalogue.load());
+        assertThatThrownBy(() -> reader.read(List.of("config=" + file)))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining(words.split(" ")[0] + " is code from jar=" + jar);
+        assertThat(reader.read(List.of("config=" + file, "jar=" + jar)).parameters())
+                .isNotNull();
+    }
+}
