@@ -20,6 +20,7 @@ import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
 import mmneat.experiment.UserError;
+import mmneat.neat.ModuleLayout;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -193,17 +194,21 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
         out.print(table.text());
         if (entries.size() == 1) {
             out.println();
-            out.print(moduleUse(evaluations.get(0)).text());
+            out.print(moduleUse(
+                            evaluations.get(0),
+                            entries.get(0).champion().genotype().layout())
+                    .text());
         }
         out.flush();
     }
 
-    private static TextTable moduleUse(ChampionEvaluation evaluation) {
+    private static TextTable moduleUse(ChampionEvaluation evaluation, ModuleLayout layout) {
         int modules = evaluation.moduleUse().get(0).length;
         String[] header = new String[modules + 1];
         header[0] = "module use, % of steps";
         for (int m = 0; m < modules; m++) {
-            header[m + 1] = "module " + (m + 1);
+            header[m + 1] =
+                    (layout.isGrouped() ? "group " + (layout.choiceOf(m) + 1) + ": " : "") + "module " + (m + 1);
         }
         TextTable table = new TextTable(header);
         for (int s = 0; s < ChampionEvaluation.SITUATIONS.size(); s++) {

@@ -64,9 +64,9 @@ final class NetworkPlayer {
      */
     static Supplier<Controller<MOVE>> read(String name, Optional<String> division, long seed, JarOption jar) {
         Champion champion = jar.allow(champion(name));
-        if (division.isPresent() && !champion.genotype().layout().standardMultitask()) {
+        if (division.isPresent() && !champion.genotype().layout().isDivided()) {
             throw new UserError("division=" + division.get() + ": the network of " + name
-                    + " chooses its modules itself; only methods MT, MT2 and MT3 have a division");
+                    + " chooses its modules itself; only methods MT, MT2 and MT3 and hybrids have a division");
         }
         try {
             ModuleDivision asked = division.map(ModuleDivisions::named).orElse(null);

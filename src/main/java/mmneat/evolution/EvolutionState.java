@@ -84,8 +84,9 @@ public record EvolutionState(
         for (Genotype genotype : population) {
             boolean isOfTask = genotype.inputs() == inputs
                     && genotype.layout().policyNeuronsPerModule() == layout.policyNeuronsPerModule()
-                    && genotype.layout().standardMultitask() == layout.standardMultitask();
-            if (!isOfTask || layout.standardMultitask() && genotype.modules() != layout.modules()) {
+                    && genotype.layout().standardMultitask() == layout.standardMultitask()
+                    && genotype.layout().isGrouped() == layout.isGrouped();
+            if (!isOfTask || layout.isDivided() && genotype.layout().choicesOfTask() != layout.choicesOfTask()) {
                 throw new IllegalArgumentException(genotype + " is no network for this task, which has " + inputs
                         + " inputs and " + layout.policyNeuronsPerModule() + " policy neurons a module");
             }

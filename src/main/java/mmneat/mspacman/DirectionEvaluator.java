@@ -31,7 +31,7 @@ public final class DirectionEvaluator {
 
     private final NetworkInputs sensors;
 
-    /** Selects the module of a step; null if networks choose their modules by preference neurons. */
+    /** Selects the module of a step, or the group of a hybrid; null if only preference neurons choose. */
     private final ModuleDivision division;
 
     private final NetworkStates states;
@@ -61,16 +61,17 @@ public final class DirectionEvaluator {
             throw new IllegalArgumentException("the network has " + network.inputs() + " inputs, but there are "
                     + sensors.suite().size() + " sensors");
         }
-        if (network.layout().standardMultitask() && division == null) {
+        if (network.layout().isDivided() && division == null) {
             throw new IllegalArgumentException(
                     "a multitask network needs a division of the task (pacmanMultitaskScheme)");
         }
-        if (division != null && network.layout().standardMultitask() && network.modules() < division.modules()) {
+        if (division != null && network.layout().isDivided() && network.layout().choicesOfTask() < division.modules()) {
             throw new IllegalArgumentException("the division of the task names " + division.modules()
-                    + " modules, but the network has " + network.modules());
+                    + (network.layout().isGrouped() ? " groups of" : "") + " modules, but the network has "
+                    + network.layout().choicesOfTask());
         }
         this.sensors = sensors;
-        this.division = network.layout().standardMultitask() ? division : null;
+        this.division = network.layout().isDivided() ? division : null;
         states = network.newStates(DIRECTIONS, arbitration);
         use = new ModuleUse(network.modules());
         usesTanh = genotype.nodes().stream()

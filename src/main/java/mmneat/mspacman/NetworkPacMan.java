@@ -88,10 +88,10 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
     }
 
     private static ModuleDivision publishedDivision(Genotype network) {
-        if (!network.layout().standardMultitask()) {
+        if (!network.layout().isDivided()) {
             return null;
         }
-        return network.modules() == new ThreatEdibleOrBoth().modules()
+        return network.layout().choicesOfTask() == new ThreatEdibleOrBoth().modules()
                 ? new ThreatEdibleOrBoth()
                 : new AnyGhostEdible();
     }

@@ -20,6 +20,7 @@ public final class GenotypeDraft {
     private final boolean standardMultitask;
     private final List<NodeGene> nodes;
     private final List<LinkGene> links;
+    private final List<Integer> groups;
     private int[] moduleUsage;
     private int outputs;
     private int modules;
@@ -29,6 +30,7 @@ public final class GenotypeDraft {
         this.inputs = original.inputs();
         this.policyNeuronsPerModule = original.layout().policyNeuronsPerModule();
         this.standardMultitask = original.layout().standardMultitask();
+        this.groups = new ArrayList<>(original.layout().groups());
         this.nodes = new ArrayList<>(original.nodes());
         this.links = links;
         this.moduleUsage = original.moduleUsage();
@@ -113,7 +115,7 @@ public final class GenotypeDraft {
 
     /** Current division of the outputs into modules. Not available during a module mutation. */
     public ModuleLayout layout() {
-        return new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
+        return new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask, groups);
     }
 
     /** Node genes in activation order; may be changed. */
@@ -190,8 +192,34 @@ public final class GenotypeDraft {
         pool.archetype().addOutput(output);
     }
 
+    /** Counts a module whose outputs have been appended, in a network without groups. */
     public void addModule() {
         modules++;
+    }
+
+    /** The group of each module; empty in a network without groups. */
+    public List<Integer> groups() {
+        return List.copyOf(groups);
+    }
+
+    /**
+     * Counts a module whose outputs have been appended, in a group; in a network without groups the number has no
+     * effect.
+     */
+    public void addModuleTo(int group) {
+        if (!groups.isEmpty()) {
+            groups.add(group);
+        }
+        modules++;
+    }
+
+    /** Replaces the groups of the modules, in a network that has groups. */
+    public void setGroups(List<Integer> ofEachModule) {
+        if (!groups.isEmpty()) {
+            List<Integer> adopted = List.copyOf(ofEachModule);
+            groups.clear();
+            groups.addAll(adopted);
+        }
     }
 
     /** Replaces all genes, and counts outputs and modules again. */

@@ -1,5 +1,9 @@
 package mmneat.neat;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
 /**
  * The division of a network's output neurons into modules.
  *
@@ -12,8 +16,11 @@ package mmneat.neat;
  * @param modules number of output modules
  * @param policyNeuronsPerModule number of neurons of a module that form the network's output
  * @param standardMultitask whether the task selects the module, so that there are no preference neurons
+ * @param groups hybrids: the group of each module, where the task names the group and preference neurons choose among
+ *     its modules; each group from 0 to the highest has a module. Empty for all other networks
  */
-public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule, boolean standardMultitask) {
+public record ModuleLayout(
+        int outputs, int modules, int policyNeuronsPerModule, boolean standardMultitask, List<Integer> groups) {
 
     /**
      * A checked layout.
@@ -35,6 +42,32 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
             throw new IllegalArgumentException("outputs: " + outputs + " cannot be " + modules + " modules of "
                     + policyNeuronsPerModule + " policy neurons "
                     + (standardMultitask ? "in a multitask network" : "and a preference neuron each"));
+        }
+        groups = List.copyOf(groups);
+        if (!groups.isEmpty()) {
+            requireGroups(groups, modules, withPreference);
+        }
+    }
+
+    /** A layout without groups. */
+    public ModuleLayout(int outputs, int modules, int policyNeuronsPerModule, boolean standardMultitask) {
+        this(outputs, modules, policyNeuronsPerModule, standardMultitask, List.of());
+    }
+
+    private static void requireGroups(List<Integer> groups, int modules, boolean withPreference) {
+        if (groups.size() != modules || !withPreference) {
+            throw new IllegalArgumentException("groups: must name a group for each of " + modules
+                    + " modules with preference neurons, name " + groups.size());
+        }
+        int highest = groups.stream().mapToInt(group -> group).max().orElseThrow();
+        for (int group : groups) {
+            if (group < 0) {
+                throw new IllegalArgumentException("groups: must not be negative, are " + groups);
+            }
+        }
+        if (groups.stream().distinct().count() != highest + 1L) {
+            throw new IllegalArgumentException(
+                    "groups: each from 0 to " + highest + " must have a module, are " + groups);
         }
     }
 
@@ -63,6 +96,63 @@ public record ModuleLayout(int outputs, int modules, int policyNeuronsPerModule,
      */
     public static ModuleLayout multitask(int modules, int policyNeuronsPerModule) {
         return new ModuleLayout(modules * policyNeuronsPerModule, modules, policyNeuronsPerModule, true);
+    }
+
+    /**
+     * Groups of modules: the task chooses the group, preference neurons choose within it: hybrid methods.
+     *
+     * @param sizes number of modules of each group
+     * @throws IllegalArgumentException if there is no group, an empty one, or no policy neuron
+     */
+    public static ModuleLayout grouped(int policyNeuronsPerModule, int... sizes) {
+        List<Integer> groups = new ArrayList<>();
+        for (int group = 0; group < sizes.length; group++) {
+            for (int i = 0; i < sizes[group]; i++) {
+                groups.add(group);
+            }
+        }
+        int modules = groups.size();
+        return new ModuleLayout(modules * (policyNeuronsPerModule + 1), modules, policyNeuronsPerModule, false, groups);
+    }
+
+    /** Whether the task names a group of modules. */
+    public boolean isGrouped() {
+        return !groups.isEmpty();
+    }
+
+    /** Number of modules of each group; empty if there are no groups. */
+    public List<Integer> sizesOfGroups() {
+        return groups.stream()
+                .distinct()
+                .sorted()
+                .map(group -> Collections.frequency(groups, group))
+                .toList();
+    }
+
+    /** How many modules or groups the task chooses among; 1 if it names none. */
+    public int choicesOfTask() {
+        if (isGrouped()) {
+            return groups.stream().mapToInt(group -> group).max().orElseThrow() + 1;
+        }
+        return standardMultitask ? modules : 1;
+    }
+
+    /**
+     * What the task has to name for a module to be used: its group, or itself in a multitask network.
+     *
+     * @throws IllegalArgumentException if there is no such module, or the task names none
+     */
+    public int choiceOf(int module) {
+        requireIndex("module", module, modules);
+        if (!isGrouped() && !standardMultitask) {
+            throw new IllegalArgumentException("the task does not choose this network's modules");
+        }
+        return isGrouped() ? groups.get(module) : module;
+    }
+
+    /** Whether the task names modules or groups of them in each time step. */
+    public boolean isDivided() {
+        return standardMultitask || isGrouped();
     }
 
     /** Whether each module has a preference neuron after its policy neurons. */

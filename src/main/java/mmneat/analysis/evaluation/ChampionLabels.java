@@ -51,12 +51,15 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
         }
     }
 
-    /** The names for a network that plays Ms. Pac-Man; a module that a division chooses bears its observation. */
+    /**
+     * The names for a network that plays Ms. Pac-Man; a module that a division chooses, or whose group it chooses,
+     * bears the observation.
+     */
     public static NetworkLabels of(MsPacManTaskSettings settings, ModuleLayout layout) {
-        boolean divided = layout.standardMultitask() && settings.division() != null;
+        boolean divided = layout.isDivided() && settings.division() != null;
         List<String> modules = IntStream.range(0, layout.modules())
                 .mapToObj(module -> "module " + (module + 1)
-                        + (divided ? ": " + settings.division().observation(module) : ""))
+                        + (divided ? ": " + settings.division().observation(layout.choiceOf(module)) : ""))
                 .toList();
         return new NetworkLabels(SensorNames.of(new MsPacManTask(settings).inputLabels()), modules);
     }

@@ -104,8 +104,9 @@ final class ChampionTask {
 
     /** Of the method only the division of a multitask network matters here. */
     private static String method(Genotype genotype, TaskVersion version) {
-        return genotype.layout().standardMultitask()
-                ? PublishedTask.multitask(Optional.of(version), genotype.modules())
+        return genotype.layout().isDivided()
+                ? PublishedTask.multitask(
+                        Optional.of(version), genotype.layout().choicesOfTask())
                 : "1M";
     }
 }

@@ -25,7 +25,7 @@ final class FullNetworkEvaluator {
     private final NetworkState[] states = new NetworkState[4];
     private final int inputs;
     private final int nodes;
-    private final boolean multitask;
+    private final boolean isDivided;
     private final ResumableRandom random = new ResumableRandom(0);
     private int livesBefore = -1;
 
@@ -38,7 +38,7 @@ final class FullNetworkEvaluator {
         }
         inputs = genotype.inputs();
         nodes = genotype.nodes().size();
-        multitask = genotype.layout().standardMultitask();
+        isDivided = genotype.layout().isDivided();
     }
 
     void startGame() {
@@ -62,7 +62,7 @@ final class FullNetworkEvaluator {
                 continue;
             }
             System.arraycopy(sensors.inputs(d), 0, step.sensors[d], 0, inputs);
-            if (multitask) {
+            if (isDivided) {
                 states[d].presetModule(settings.division().module(sensors.observation()));
             }
             states[d].activate(step.sensors[d], random);

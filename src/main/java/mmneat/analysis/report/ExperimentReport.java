@@ -24,6 +24,7 @@ import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
 import mmneat.experiment.store.RunLayout;
 import mmneat.neat.Genotype;
+import mmneat.neat.ModuleLayout;
 import mmneat.neat.io.NetworkSvg;
 
 /** The report of a set of experiments as one HTML file. Only the replays are separate files, to which it links. */
@@ -178,7 +179,7 @@ public final class ExperimentReport {
         Champion champion = Champion.read(run.folder()).withJar(jar);
         Genotype genotype = champion.genotype();
         ChampionLabels labels = ChampionLabels.of(champion, Optional.empty());
-        cell(html, String.valueOf(genotype.modules()));
+        cell(html, modules(genotype.layout()));
         cell(html, String.valueOf(genotype.nodes().size()));
         cell(html, String.valueOf(genotype.links().size()));
         html.append("<td>")
@@ -190,6 +191,16 @@ public final class ExperimentReport {
                         NetworkSvg.of(genotype, labels.labels()), "drawing", "network of run " + run.number()))
                 .append(labels.remark().isEmpty() ? "" : "<p>" + Page.escape(labels.remark()) + "</p>")
                 .append("</td></tr>\n");
+    }
+
+    /** The number of modules; of a hybrid also that of each group. */
+    private static String modules(ModuleLayout layout) {
+        return layout.modules()
+                + (layout.isGrouped()
+                        ? layout.sizesOfGroups().stream()
+                                .map(String::valueOf)
+                                .collect(Collectors.joining(" + ", " (", ")"))
+                        : "");
     }
 
     private static void cell(StringBuilder html, String text) {

@@ -1,5 +1,6 @@
 package mmneat.experiment.parameters;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -8,15 +9,44 @@ import java.util.List;
  * @param minimum the smallest number; minus infinity if there is none
  * @param maximum the largest number; infinity if there is none
  * @param choices the allowed words; empty if every text is allowed
- * @param isOpen whether the value may also be the name of a class of the user's own
+ * @param extension what else the value may be, besides the choices
  */
-record AllowedValues(double minimum, double maximum, List<String> choices, boolean isOpen) {
+record AllowedValues(double minimum, double maximum, List<String> choices, Extension extension) {
 
-    /** The last choice of a list that the user's own classes extend. */
-    private static final String OWN_CLASS = "<class>";
+    /** Values that extend a list of choices. */
+    enum Extension {
+        NONE(""),
+        /** The name of a class of the user's own. */
+        OWN_CLASS("<class>"),
+        /** A hybrid method. */
+        HYBRID("<hybrid>");
+
+        /** How the catalogue's list ends that is so extended. */
+        private final String mark;
+
+        Extension(String mark) {
+            this.mark = mark;
+        }
+
+        boolean permits(String value) {
+            return switch (this) {
+                case NONE -> false;
+                case OWN_CLASS -> OwnClasses.isName(value);
+                case HYBRID -> HybridMethod.of(value).isPresent();
+            };
+        }
+
+        private String words() {
+            return switch (this) {
+                case NONE -> "";
+                case OWN_CLASS -> ", or a class of your own";
+                case HYBRID -> ", or a hybrid such as H21";
+            };
+        }
+    }
 
     private static final AllowedValues ANYTHING =
-            new AllowedValues(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of(), false);
+            new AllowedValues(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, List.of(), Extension.NONE);
 
     AllowedValues {
         choices = List.copyOf(choices);
@@ -31,20 +61,23 @@ record AllowedValues(double minimum, double maximum, List<String> choices, boole
         }
         int dots = text.indexOf("..");
         if (dots < 0) {
-            List<String> choices = List.of(text.split("\\|"));
-            boolean isOpen = choices.contains(OWN_CLASS);
+            List<String> words = List.of(text.split("\\|"));
+            Extension extension = Arrays.stream(Extension.values())
+                    .filter(each -> words.contains(each.mark))
+                    .findFirst()
+                    .orElse(Extension.NONE);
             return new AllowedValues(
                     ANYTHING.minimum,
                     ANYTHING.maximum,
-                    choices.stream().filter(choice -> !choice.equals(OWN_CLASS)).toList(),
-                    isOpen);
+                    words.stream().filter(word -> !word.equals(extension.mark)).toList(),
+                    extension);
         }
         String last = text.substring(dots + 2);
         return new AllowedValues(
                 Double.parseDouble(text.substring(0, dots)),
                 last.isEmpty() ? Double.POSITIVE_INFINITY : Double.parseDouble(last),
                 List.of(),
-                false);
+                Extension.NONE);
     }
 
     /** Returns the choice that equals the text except for case; the text itself if there is none. */
@@ -54,7 +87,7 @@ record AllowedValues(double minimum, double maximum, List<String> choices, boole
 
     boolean permits(ParameterType type, String canonical) {
         if (!choices.isEmpty()) {
-            return choices.contains(canonical) || isOpen && OwnClasses.isName(canonical);
+            return choices.contains(canonical) || extension.permits(canonical);
         }
         if (type == ParameterType.DOUBLE || type == ParameterType.INTEGER || type == ParameterType.LONG) {
             double value = Double.parseDouble(canonical);
@@ -67,7 +100,7 @@ record AllowedValues(double minimum, double maximum, List<String> choices, boole
     String describe(ParameterType type) {
         if (!choices.isEmpty()) {
             String words = choices.size() == 1 ? choices.get(0) : "one of " + String.join(", ", choices);
-            return isOpen ? words + ", or a class of your own" : words;
+            return words + extension.words();
         }
         if (minimum == Double.NEGATIVE_INFINITY && maximum == Double.POSITIVE_INFINITY) {
             return type.description();

@@ -42,6 +42,7 @@ public record EvolutionParameters(
         int fsLinksPerOut,
         int startingModes,
         int multitaskModes,
+        String moduleGroups,
         int maxModes,
         double usageForNewMode,
         boolean deleteLeastUsed,
@@ -153,15 +154,33 @@ public record EvolutionParameters(
      * @throws UserError naming those that are not
      */
     void requireConsistent() {
-        if (multitaskModes > 1 && choosesModules()) {
+        if (!moduleGroups.isEmpty()) {
+            requireGroups();
+        } else if (multitaskModes > 1 && choosesModules()) {
             throw new UserError(chooser() + " does not go with multitaskModes=" + multitaskModes
                     + ": either the task chooses the module or the network does; leave one of them out");
         }
-        int modules = Math.max(startingModes, multitaskModes);
+        int modules = Math.max(startingModes, moduleGroups.isEmpty() ? multitaskModes : sumOfGroups());
         if (disabledMode >= modules && !rates().module().canAddModules()) {
             throw new UserError("disabledMode=" + disabledMode + ": the networks have "
                     + (modules == 1 ? "one module, number 0" : "modules 0 to " + (modules - 1)) + "; -1 disables none");
         }
+    }
+
+    private void requireGroups() {
+        int groups = HybridMethod.sizes(moduleGroups).size();
+        if (groups != multitaskModes) {
+            throw new UserError("moduleGroups=" + moduleGroups + ": names " + groups
+                    + " groups, but the division chooses among multitaskModes=" + multitaskModes);
+        }
+        if (startingModes > 1) {
+            throw new UserError("moduleGroups=" + moduleGroups + " does not go with startingModes=" + startingModes
+                    + ": it says how many modules there are; leave out startingModes");
+        }
+    }
+
+    private int sumOfGroups() {
+        return HybridMethod.sizes(moduleGroups).stream().mapToInt(size -> size).sum();
     }
 
     /** Whether networks choose their modules by preference neurons. */
@@ -187,6 +206,13 @@ public record EvolutionParameters(
 
     /** Source: docs/specification/networks.md, section 3.2. */
     private ModuleLayout layout(int policyNeurons) {
+        if (!moduleGroups.isEmpty() && (sumOfGroups() > multitaskModes || choosesModules())) {
+            int[] sizes = HybridMethod.sizes(moduleGroups).stream()
+                    .mapToInt(size -> size)
+                    .toArray();
+            return ModuleLayout.grouped(policyNeurons, sizes);
+        }
+        // One module in each group needs no preference neurons: a multitask network.
         if (multitaskModes > 1) {
             return ModuleLayout.multitask(multitaskModes, policyNeurons);
         }

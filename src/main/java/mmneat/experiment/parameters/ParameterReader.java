@@ -57,6 +57,10 @@ public final class ParameterReader {
         Map<String, String> commandLine = commandLine(words, remarks);
         Map<String, String> file =
                 commandLine.containsKey("config") ? file(commandLine.get("config"), forGames, remarks) : Map.of();
+        commandLine.computeIfPresent(
+                "method",
+                (unused, method) ->
+                        shortMethod(method, commandLine.getOrDefault("task", file.getOrDefault("task", ""))));
         Map<String, String> asked = new LinkedHashMap<>(file);
         if (WHICH_RUNS.stream().anyMatch(commandLine::containsKey)) {
             // The file may be that of one run (parameters.properties). If the command line selects other runs, all
@@ -101,7 +105,7 @@ public final class ParameterReader {
             String value = word.value();
             if (!word.name().startsWith(OwnTask.PREFIX)) {
                 Parameter parameter = catalogue.require(word.name());
-                value = word.canonicalFor(parameter);
+                value = isNamedHybrid(word) ? word.value() : word.canonicalFor(parameter);
                 if (word.isMisleading(parameter)) {
                     remarks.add("'" + text + "' means " + word.name()
                             + "=false: in the form with a colon, as in the original, anything but true is false");
@@ -116,6 +120,14 @@ public final class ParameterReader {
             layer.put(word.name(), value);
         }
         return layer;
+    }
+
+    private static boolean isNamedHybrid(ParameterWord word) {
+        return word.name().equals("method") && !word.originalForm() && HybridMethod.isLongForm(word.value());
+    }
+
+    private static String shortMethod(String method, String task) {
+        return HybridMethod.isLongForm(method) ? HybridMethod.shortName(method, TaskVersion.labelled(task)) : method;
     }
 
     /**
@@ -209,7 +221,9 @@ public final class ParameterReader {
         Parameter methods = catalogue.require("method");
         String chosen = methods.check(method == null ? methods.defaultValue() : method);
         return TaskVersion.labelled(task)
-                .map(version -> PublishedConfigurations.settings(version, chosen))
+                .map(version -> HybridMethod.of(chosen)
+                        .map(hybrid -> hybrid.settings(version))
+                        .orElseGet(() -> PublishedConfigurations.settings(version, chosen)))
                 .orElseGet(() -> method == null ? Map.of() : PublishedConfigurations.methodAlone(chosen));
     }
 

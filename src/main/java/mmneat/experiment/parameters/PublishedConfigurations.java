@@ -82,12 +82,13 @@ public final class PublishedConfigurations {
         }
     }
 
-    /** The parameters in which the methods of a version differ. */
+    /** The parameters in which the methods of a version differ, hybrids included. */
     static Collection<String> namesOfMethods() {
         Set<String> names = new LinkedHashSet<>();
         for (TaskVersion version : TaskVersion.values()) {
             names.addAll(differing(methodsOf(version).stream().map(method -> settings(version, method))));
         }
+        names.add("moduleGroups");
         return names;
     }
 
@@ -116,16 +117,16 @@ public final class PublishedConfigurations {
      * @throws UserError if the method divides the task, which only the published versions can
      */
     static Map<String, String> methodAlone(String method) {
-        Map<String, String> settings = Stream.of(TaskVersion.values())
+        Optional<Map<String, String>> settings = Stream.of(TaskVersion.values())
                 .filter(version -> methodsOf(version).contains(method))
                 .findFirst()
-                .map(version -> settings(version, method))
-                .orElseThrow();
-        settings.keySet().retainAll(namesOfMethods());
-        if (settings.containsKey("multitaskModes")) {
+                .map(version -> settings(version, method));
+        // Hybrids are not among the published methods, and divide the task, too.
+        if (settings.isEmpty() || settings.get().containsKey("multitaskModes")) {
             throw new UserError("method=" + method + " needs a human-specified task division, which only"
                     + " the tasks " + String.join(", ", TaskVersion.labels()) + " have");
         }
-        return settings;
+        settings.get().keySet().retainAll(namesOfMethods());
+        return settings.get();
     }
 }

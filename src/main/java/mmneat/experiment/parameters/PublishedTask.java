@@ -93,11 +93,15 @@ public final class PublishedTask {
     public static Optional<String> method(Map<String, String> parameters) {
         int startingModes = Integer.parseInt(parameters.getOrDefault("startingModes", "1"));
         int multitaskModes = Integer.parseInt(parameters.getOrDefault("multitaskModes", "1"));
+        boolean duplicates = Double.parseDouble(parameters.getOrDefault("mmdRate", "0")) > 0;
+        boolean links = Double.parseDouble(parameters.getOrDefault("mmrRate", "0")) > 0;
+        String groups = parameters.getOrDefault("moduleGroups", "");
+        if (!groups.isEmpty()) {
+            return links ? Optional.empty() : HybridMethod.name(groups, duplicates);
+        }
         if (multitaskModes > 1) {
             return Optional.of(multitask(version(parameters), multitaskModes));
         }
-        boolean duplicates = Double.parseDouble(parameters.getOrDefault("mmdRate", "0")) > 0;
-        boolean links = Double.parseDouble(parameters.getOrDefault("mmrRate", "0")) > 0;
         if (duplicates || links) {
             return startingModes == 1 && duplicates != links
                     ? Optional.of(duplicates ? "MMD" : "MMR")

@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.HybridMethod;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.PublishedConfigurations;
@@ -58,7 +60,7 @@ public record Study(List<Part> parts, List<String> remarks) {
         for (String task : tasks) {
             List<String> published = publishedMethods(task);
             for (String method : methods.contains(ALL) ? published : known) {
-                if (published.contains(method)) {
+                if (published.contains(method) || HybridMethod.of(method).isPresent()) {
                     List<String> own = new ArrayList<>(List.of("task=" + task, "method=" + method));
                     own.addAll(common);
                     parts.add(part(own, catalogue, remarks));
@@ -99,7 +101,7 @@ public record Study(List<Part> parts, List<String> remarks) {
         words.stream()
                 .filter(word -> isNamed(word, name))
                 .map(word -> word.substring(name.length() + 1))
-                .flatMap(value -> Arrays.stream(value.split(",")))
+                .flatMap(value -> HybridMethod.isLongForm(value) ? Stream.of(value) : Arrays.stream(value.split(",")))
                 .map(String::strip)
                 .filter(value -> !value.isEmpty() && !values.contains(value))
                 .forEach(values::add);

@@ -23,6 +23,7 @@ import mmneat.neat.NodeType;
     "modules",
     "policyNeuronsPerModule",
     "standardMultitask",
+    "groups",
     "moduleUsage",
     "nodes",
     "links"
@@ -36,6 +37,7 @@ record GenotypeDocument(
         @JsonProperty(required = true) int modules,
         @JsonProperty(required = true) int policyNeuronsPerModule,
         @JsonProperty(required = true) boolean standardMultitask,
+        @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Integer> groups,
         @JsonProperty(required = true) int[] moduleUsage,
         @JsonProperty(required = true) List<Node> nodes,
         @JsonProperty(required = true) List<Link> links) {
@@ -46,6 +48,10 @@ record GenotypeDocument(
     GenotypeDocument {
         requireFormat(format);
         requireVersion(version);
+        groups = groups == null ? List.of() : groups;
+        for (int i = 0; i < groups.size(); i++) {
+            requirePresent("groups[" + i + "]", groups.get(i));
+        }
         requirePresent("moduleUsage", moduleUsage);
         requirePresent("nodes", nodes);
         requirePresent("links", links);
@@ -75,6 +81,7 @@ record GenotypeDocument(
                 layout.modules(),
                 layout.policyNeuronsPerModule(),
                 layout.standardMultitask(),
+                layout.groups(),
                 genotype.moduleUsage(),
                 genotype.nodes().stream().map(Node::of).toList(),
                 genotype.links().stream().map(Link::of).toList());
@@ -93,7 +100,7 @@ record GenotypeDocument(
             linkGenes.add(links.get(i).toGene());
         }
         requireUsageOfModules(moduleUsage, modules);
-        ModuleLayout layout = new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask);
+        ModuleLayout layout = new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask, groups);
         return new Genotype(id, inputs, layout, nodeGenes, linkGenes, moduleUsage);
     }
 

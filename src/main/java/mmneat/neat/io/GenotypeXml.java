@@ -1,6 +1,7 @@
 package mmneat.neat.io;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -80,10 +81,6 @@ public final class GenotypeXml {
                 "parents",
                 "smallerGenotypes",
                 "archetypeIndex");
-        if (object.flag("hierarchicalMultitask")) {
-            throw new GenotypeFormatException(
-                    "hierarchicalMultitask: hierarchical multitask networks are not supported");
-        }
         List<NodeGene> nodes = nodesOf(object.list("nodes"));
         List<LinkGene> links = linksOf(object.list("links"), nodes);
         try {
@@ -91,13 +88,23 @@ public final class GenotypeXml {
                     object.integer("numOut"),
                     object.integer(object.present("numModes", "numModules")),
                     object.integer(object.present("neuronsPerMode", "neuronsPerModule")),
-                    object.flag("standardMultitask"));
+                    object.flag("standardMultitask"),
+                    groupsOf(object));
             int[] usage = object.integers(object.present("modeUsage", "moduleUsage"));
             GenotypeDocument.requireUsageOfModules(usage, layout.modules());
             return new Genotype(object.longInteger("id"), object.integer("numIn"), layout, nodes, links, usage);
         } catch (IllegalArgumentException e) {
             throw new GenotypeFormatException(e.getMessage(), e);
         }
+    }
+
+    /** The groups of a hybrid, which the original calls tasks of hierarchical multitask networks. */
+    private static List<Integer> groupsOf(SerialisedObject object) throws GenotypeFormatException {
+        return object.flag("hierarchicalMultitask")
+                ? Arrays.stream(object.integers(object.present("modeAssociations", "moduleAssociations")))
+                        .boxed()
+                        .toList()
+                : List.of();
     }
 
     /**
@@ -125,8 +132,12 @@ public final class GenotypeXml {
         text.integer("numModes", layout.modules());
         text.integer("neuronsPerMode", layout.policyNeuronsPerModule());
         text.flag("standardMultitask", layout.standardMultitask());
-        text.flag("hierarchicalMultitask", false);
-        text.integers("modeAssociations", oneToOne(layout.modules()));
+        text.flag("hierarchicalMultitask", layout.isGrouped());
+        text.integers(
+                "modeAssociations",
+                layout.isGrouped()
+                        ? layout.groups().stream().mapToInt(group -> group).toArray()
+                        : oneToOne(layout.modules()));
         text.integers("modeUsage", genotype.moduleUsage());
         text.longInteger("id", genotype.id());
         text.integer("archetypeIndex", 0);

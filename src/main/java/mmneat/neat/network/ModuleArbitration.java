@@ -2,6 +2,7 @@ package mmneat.neat.network;
 
 import java.util.Arrays;
 import java.util.Objects;
+import mmneat.neat.ModuleLayout;
 
 /**
  * How a network's answer is made of its modules' answers. The published experiments use {@link #PREFERENCE} alone.
@@ -14,8 +15,8 @@ import java.util.Objects;
  * @param fatigueUnit what the chosen module's fatigue grows by; fatigue is subtracted from a module's preference
  * @param fatigueDecay what the other modules' fatigue is multiplied by
  * @param answer whose policy activations the network returns
- * @param taskOfModule hierarchical multitask: the task that each module serves, and the preset module then is a task, of whose
- *     modules alone one is chosen; empty if modules serve no particular task
+ * @param taskOfModule hierarchical multitask: the task that each module serves, and the preset module then is a task,
+ *     of whose modules alone one is chosen; empty if modules serve no particular task
  */
 public record ModuleArbitration(
         double softmaxTemperature,
@@ -45,7 +46,8 @@ public record ModuleArbitration(
     /**
      * A checked arbitration.
      *
-     * @throws IllegalArgumentException if the temperature is negative, the module less than -1, or a number of fatigue not finite
+     * @throws IllegalArgumentException if the temperature is negative, the module less than -1, or a number of fatigue
+     *     not finite
      * @throws NullPointerException if a part is missing; the message names it
      */
     public ModuleArbitration {
@@ -108,6 +110,14 @@ public record ModuleArbitration(
     @Override
     public int[] taskOfModule() {
         return taskOfModule.clone();
+    }
+
+    /** The same for networks of a layout: in a hybrid, modules serve their groups. */
+    ModuleArbitration of(ModuleLayout layout) {
+        boolean isComplete = !layout.isGrouped() || taskOfModule.length > 0;
+        return isComplete
+                ? this
+                : withTasks(layout.groups().stream().mapToInt(group -> group).toArray());
     }
 
     /** Whether this is plain preference. */

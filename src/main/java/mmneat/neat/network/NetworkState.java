@@ -7,8 +7,8 @@ import mmneat.random.ResumableRandom;
 /**
  * One place where a network is used: what it remembers from step to step, and how often it chose each module.
  *
- * <p>Any number of states may share one {@link Network}; a state belongs to one thread. After a step, and until the next
- * step or flush, every activation can be read. Stepping allocates nothing.
+ * <p>Any number of states may share one {@link Network}; a state belongs to one thread. After a step, and until the
+ * next step or flush, every activation can be read. Stepping allocates nothing.
  *
  * <p>Source: docs/specification/networks.md, sections 5.2 and 6.
  */
@@ -22,8 +22,8 @@ public final class NetworkState {
 
     private final Network network;
     /**
-     * Activation of each slot that is not lazy, as far as its group is computed; behind them the activations of the previous
-     * step that recurrent links read.
+     * Activation of each slot that is not lazy, as far as its group is computed; behind them the activations of the
+     * previous step that recurrent links read.
      */
     final double[] activations;
 
@@ -50,7 +50,8 @@ public final class NetworkState {
         computed = new long[network.groupStart.length - 1];
         moduleUsage = new int[network.modules()];
         preferences = new double[network.modules()];
-        arbiter = arbitration.isPlain() ? null : new ModuleArbiter(network.layout, arbitration);
+        ModuleArbitration complete = arbitration.of(network.layout);
+        arbiter = complete.isPlain() ? null : new ModuleArbiter(network.layout, complete);
     }
 
     /** The network that this is a state of. */
@@ -62,8 +63,8 @@ public final class NetworkState {
      * Makes one step.
      *
      * @param inputs one value per input; each passes through the function of its input neuron
-     * @param random one {@code nextInt} is drawn to choose among the modules with the highest preference, also if there is
-     *     only one
+     * @param random one {@code nextInt} is drawn to choose among the modules with the highest preference, also if there
+     *     is only one
      * @return the chosen module
      * @throws IllegalArgumentException if the number of inputs is wrong
      * @throws IllegalStateException if modules are chosen by preference and no preference is a number
@@ -101,8 +102,8 @@ public final class NetworkState {
      * Makes one step of a multitask network in which {@code module} is the one to use; one {@code nextInt} is drawn
      * nevertheless.
      *
-     * @return the chosen module: {@code module} itself, unless the state's {@link ModuleArbitration} takes it for a task or changes
-     *     preferences
+     * @return the chosen module: {@code module} itself, unless the state's {@link ModuleArbitration} takes it for a
+     *     task or changes preferences
      * @throws IllegalArgumentException as for {@link #presetModule} and {@link #activate}
      * @throws IllegalStateException as for {@link #activate}
      */
@@ -112,10 +113,11 @@ public final class NetworkState {
     }
 
     /**
-     * Names the module that a multitask network uses from now on (0 at first); with {@link ModuleArbitration#withTasks},
-     * the task. Networks with preference neurons do not look at it otherwise.
+     * Names the module that a multitask network uses from now on (0 at first); with {@link
+     * ModuleArbitration#withTasks}, the task. Networks with preference neurons do not look at it otherwise.
      *
-     * @throws IllegalArgumentException if it is negative, or a multitask network has no such module, or none serves that task
+     * @throws IllegalArgumentException if it is negative, or a multitask network has no such module, or none serves
+     *     that task
      */
     public void presetModule(int module) {
         if (module < 0 || network.layout.standardMultitask() && module >= network.modules()) {
@@ -129,8 +131,8 @@ public final class NetworkState {
     }
 
     /**
-     * Forgets all steps: pending sums and activations become 0, fatigue too. The counts of module use, the preset module
-     * and the last module stay.
+     * Forgets all steps: pending sums and activations become 0, fatigue too. The counts of module use, the preset
+     * module and the last module stay.
      */
     public void flush() {
         if (!flushed) {
@@ -343,7 +345,10 @@ public final class NetworkState {
         return clearlyHighest(preferences, preferences.length, network.margin);
     }
 
-    /** The sum of a policy neuron of the chosen module, up to the network's margin; modules are chosen and answer plainly. */
+    /**
+     * The sum of a policy neuron of the chosen module, up to the network's margin; modules are chosen and answer
+     * plainly.
+     */
     double roughAnswerSum(int neuron) {
         int output = network.layout.policyOutput(lastModule, neuron);
         computeRoughly(network.groupOfOutput[output]);
@@ -369,9 +374,10 @@ public final class NetworkState {
      */
     static int clearlyHighest(double[] sums, int count, double margin) {
         /*
-         * tanh rises, so the highest sum mostly tells the highest activation. Rounding, by less than 2 units in the last place or 2.3e-16
-         * of our tanh, could make two activations equal or swap them only if the sums are close together or both far out:
-         * for u > l + d, u > -b and l < b (d at most 1), tanh(u) - tanh(l) is more than d (1 - tanh(b + 1)^2), which is
+         * tanh rises, so the highest sum mostly tells the highest activation. Rounding, by less than 2 units in the
+         * last place or 2.3e-16 of our tanh, could make two activations equal or swap them only if the sums are close
+         * together or both far out: for u > l + d, u > -b and l < b (d at most 1), tanh(u) - tanh(l) is more than d (1
+         * - tanh(b + 1)^2), which is
          *
          *   d = 1e-9, b = 5     2e-14
          *   d = 1e-2, b = 13    3e-14.

@@ -11,12 +11,14 @@ import java.util.Set;
 import mmneat.neat.Archetype;
 import mmneat.neat.GenotypeDraft;
 import mmneat.neat.LinkGene;
+import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 
 /**
  * Crosses two networks gene by gene. Each of the two children has exactly the structure of one parent; genes that both
  * parents have are swapped with probability 1/2. Fitness plays no part.
+ * In hybrids, genes of modules that stand at one place but are of different groups are not swapped.
  *
  * <p>Source: docs/specification/networks.md, section 9.
  *
@@ -25,7 +27,13 @@ import mmneat.random.ResumableRandom;
 record Crossover(double excessRate) implements CrossoverOperator {
 
     /** The links of two parents that represent the same structure; one is null if a parent lacks it. */
-    private record Pair(LinkGene ofA, LinkGene ofB) {}
+    private record Pair(LinkGene ofA, LinkGene ofB) {
+
+        /** Whether one of the end points, the same for both, is among some neurons. */
+        boolean touches(Set<Long> neurons) {
+            return neurons.contains(ofA.source()) || neurons.contains(ofA.target());
+        }
+    }
 
     private record EndPoints(long source, long target) {
         static EndPoints of(LinkGene link) {
@@ -39,10 +47,13 @@ record Crossover(double excessRate) implements CrossoverOperator {
      */
     @Override
     public void cross(GenotypeDraft a, GenotypeDraft b, Archetype archetype, ResumableRandom random) {
+        Map<Long, Integer> groupsOfA = groupsOfOutputs(a);
+        Map<Long, Integer> groupsOfB = groupsOfOutputs(b);
+        Set<Long> foreign = differing(groupsOfA, groupsOfB);
         boolean isExcessShared = random.nextFloat() < excessRate;
         List<NodeGene> nodesOfA = new ArrayList<>(a.nodes());
         List<NodeGene> nodesOfB = new ArrayList<>(b.nodes());
-        swapShared(nodesOfA, nodesOfB, random);
+        swapShared(nodesOfA, nodesOfB, foreign, random);
         if (isExcessShared) {
             shareExcess(nodesOfA, nodesOfB, archetype);
         }
@@ -51,7 +62,7 @@ record Crossover(double excessRate) implements CrossoverOperator {
         List<LinkGene> sortedB = sortedByInnovation(withInnovationsOf(a.links(), b.links()));
         List<LinkGene> linksOfA = new ArrayList<>();
         List<LinkGene> linksOfB = new ArrayList<>();
-        distribute(align(sortedA, sortedB), isExcessShared, linksOfA, linksOfB, random);
+        distribute(align(sortedA, sortedB), isExcessShared, foreign, linksOfA, linksOfB, random);
         int modulesOfA = a.modules();
         a.replaceGenes(nodesOfA, linksOfA);
         if (a.modules() != modulesOfA) {
@@ -59,17 +70,55 @@ record Crossover(double excessRate) implements CrossoverOperator {
             a.setModuleUsage(Arrays.copyOf(a.moduleUsage(), a.modules()));
         }
         b.replaceGenes(nodesOfB, linksOfB);
+        if (isExcessShared && !groupsOfA.isEmpty()) {
+            a.setGroups(groups(a, groupsOfA, groupsOfB));
+            b.setGroups(groups(b, groupsOfB, groupsOfA));
+        }
+    }
+
+    /** The group of each output neuron of a hybrid by innovation; empty for other networks. */
+    private static Map<Long, Integer> groupsOfOutputs(GenotypeDraft draft) {
+        Map<Long, Integer> groups = new HashMap<>();
+        if (!draft.groups().isEmpty()) {
+            ModuleLayout layout = draft.layout();
+            for (int output = 0; output < draft.outputs(); output++) {
+                groups.put(draft.output(output).innovation(), layout.choiceOf(layout.moduleOf(output)));
+            }
+        }
+        return groups;
+    }
+
+    /** The output neurons that both have, but in different groups. */
+    private static Set<Long> differing(Map<Long, Integer> groups, Map<Long, Integer> others) {
+        Set<Long> differing = new HashSet<>();
+        groups.forEach((output, group) -> {
+            if (!group.equals(others.getOrDefault(output, group))) {
+                differing.add(output);
+            }
+        });
+        return differing;
+    }
+
+    /** The group of each module of a child that also has outputs of the other parent. */
+    private static List<Integer> groups(GenotypeDraft child, Map<Long, Integer> own, Map<Long, Integer> others) {
+        List<Integer> groups = new ArrayList<>();
+        int neuronsPerModule = child.policyNeuronsPerModule() + 1;
+        for (int module = 0; module < child.modules(); module++) {
+            long output = child.output(module * neuronsPerModule).innovation();
+            groups.add(own.containsKey(output) ? own.get(output) : others.get(output));
+        }
+        return groups;
     }
 
     /**
      * Swaps neurons that both parents have: one draw for each, in a's order. Shared neurons have the archetype's order
      * in both lists. Only after full module mutation can the orders differ; then each child keeps its own.
      */
-    private static void swapShared(List<NodeGene> a, List<NodeGene> b, ResumableRandom random) {
+    private static void swapShared(List<NodeGene> a, List<NodeGene> b, Set<Long> foreign, ResumableRandom random) {
         Map<Long, Integer> placesInB = GenotypeDraft.positionsOf(b);
         for (int i = 0; i < a.size(); i++) {
             Integer place = placesInB.get(a.get(i).innovation());
-            if (place != null && random.nextBoolean()) {
+            if (place != null && !foreign.contains(a.get(i).innovation()) && random.nextBoolean()) {
                 a.set(i, b.set(place, a.get(i)));
             }
         }
@@ -95,10 +144,15 @@ record Crossover(double excessRate) implements CrossoverOperator {
 
     /** Distributes the links to the children: one draw for each pair that both parents have. */
     private static void distribute(
-            List<Pair> pairs, boolean isExcessShared, List<LinkGene> toA, List<LinkGene> toB, ResumableRandom random) {
+            List<Pair> pairs,
+            boolean isExcessShared,
+            Set<Long> foreign,
+            List<LinkGene> toA,
+            List<LinkGene> toB,
+            ResumableRandom random) {
         for (Pair pair : pairs) {
             boolean isShared = pair.ofA != null && pair.ofB != null;
-            boolean isSwapped = isShared && random.nextBoolean();
+            boolean isSwapped = isShared && !pair.touches(foreign) && random.nextBoolean();
             LinkGene forA = isSwapped ? pair.ofB : pair.ofA;
             LinkGene forB = isSwapped ? pair.ofA : pair.ofB;
             if (isExcessShared && !isShared) {

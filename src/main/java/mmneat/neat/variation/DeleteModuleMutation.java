@@ -1,9 +1,11 @@
 package mmneat.neat.variation;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import mmneat.neat.GenePool;
 import mmneat.neat.GenotypeDraft;
 import mmneat.neat.LinkGene;
@@ -35,19 +37,39 @@ record DeleteModuleMutation(boolean isLeastUsedChosen) implements MutationOperat
         if (layout.modules() == 1 || layout.standardMultitask()) {
             return false;
         }
-        int module = isLeastUsedChosen ? leastUsed(offspring) : random.nextInt(layout.modules());
+        List<Integer> candidates = candidates(layout);
+        if (candidates.isEmpty()) {
+            return false;
+        }
+        int module = isLeastUsedChosen
+                ? leastUsed(offspring, candidates)
+                : candidates.get(random.nextInt(candidates.size()));
         Map<Long, NodeGene> movedOutputs = new HashMap<>();
         List<NodeGene> keptNodes = keptNodes(offspring, layout, module, movedOutputs);
         offspring.replaceGenes(keptNodes, keptLinks(offspring, movedOutputs, pool));
         offspring.setModuleUsage(without(offspring.moduleUsage(), module, layout.modules()));
+        List<Integer> groups = new ArrayList<>(layout.groups());
+        if (layout.isGrouped()) {
+            groups.remove(module);
+            offspring.setGroups(groups);
+        }
         return true;
     }
 
-    private static int leastUsed(GenotypeDraft offspring) {
+    /** The modules that may go: in a hybrid each group keeps one. */
+    private static List<Integer> candidates(ModuleLayout layout) {
+        List<Integer> groups = layout.groups();
+        return IntStream.range(0, layout.modules())
+                .filter(module -> groups.isEmpty() || Collections.frequency(groups, groups.get(module)) > 1)
+                .boxed()
+                .toList();
+    }
+
+    private static int leastUsed(GenotypeDraft offspring, List<Integer> candidates) {
         int[] usage = offspring.moduleUsage();
-        int least = 0;
-        for (int module = 1; module < Math.min(usage.length, offspring.modules()); module++) {
-            if (usage[module] < usage[least]) {
+        int least = candidates.get(0);
+        for (int module : candidates) {
+            if (module < usage.length && usage[module] < usage[least]) {
                 least = module;
             }
         }

@@ -41,7 +41,7 @@ record ModuleDuplication(ActivationFunction activation) implements MutationOpera
         for (long policyNeuron : policyNeurons) {
             duplicate(policyNeuron, offspring, pool);
         }
-        module.finishWithPreferenceNeuron();
+        module.finishLike(original);
         return true;
     }
 

@@ -1,5 +1,6 @@
 package mmneat.neat.variation;
 
+import java.util.List;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.GenePool;
 import mmneat.neat.GenotypeDraft;
@@ -48,15 +49,27 @@ final class NewModule {
         return module;
     }
 
-    /** Ends the module with a preference neuron that has one link, from a random input or hidden neuron. */
-    void finishWithPreferenceNeuron() {
+    /**
+     * Ends the module with a preference neuron that has one link, from a random input or hidden neuron.
+     *
+     * @param model the module that it is like: in a hybrid its group is that of the model
+     */
+    void finishLike(int model) {
         appendPreferenceNeuron();
-        offspring.addModule();
+        offspring.addModuleTo(
+                offspring.groups().isEmpty() ? 0 : offspring.groups().get(model));
     }
 
-    /** Ends the module after all its outputs have been appended. */
+    /** The same for a module that has no model: in a hybrid its group is that of a random module. */
+    void finishAnywhere() {
+        appendPreferenceNeuron();
+        finish();
+    }
+
+    /** Ends a module all of whose outputs have been appended; in a hybrid its group is that of a random module. */
     void finish() {
-        offspring.addModule();
+        List<Integer> groups = offspring.groups();
+        offspring.addModuleTo(groups.isEmpty() ? 0 : groups.get(random.nextInt(groups.size())));
     }
 
     private void appendPreferenceNeuron() {

@@ -35,7 +35,7 @@ record PreviousModuleMutation(ActivationFunction activation) implements Mutation
             offspring.links().add(new LinkGene(innovation, source, target, 2 * Draws.smallWeight(random), false));
             offspring.appendOutput(new NodeGene(target, NodeType.OUTPUT, activation), pool);
         }
-        module.finishWithPreferenceNeuron();
+        module.finishLike(layout.modules() - 1);
         return true;
     }
 }

@@ -29,7 +29,7 @@ record RandomModuleMutation(InputSelection selection, ActivationFunction activat
         for (int i = 0; i < offspring.policyNeuronsPerModule(); i++) {
             appendPolicyNeuron(offspring, pool, random);
         }
-        module.finishWithPreferenceNeuron();
+        module.finishAnywhere();
         return true;
     }
 

@@ -86,6 +86,11 @@ public final class Reproduction {
         if (layout.standardMultitask() != other.standardMultitask()) {
             throw new IllegalArgumentException("a multitask network cannot be crossed with one that is not");
         }
+        requireEqual("groups of modules", groups(layout), groups(other));
+    }
+
+    private static int groups(ModuleLayout layout) {
+        return layout.isGrouped() ? layout.choicesOfTask() : 0;
     }
 
     private static void requireEqual(String what, int first, int second) {

@@ -128,9 +128,9 @@ class ParameterReaderTest {
     }
 
     @Test
-    void namesOfMethodsAndTasks_areThoseInWhichThePublishedOnesDiffer() {
+    void namesOfMethodsAndTasks_areThoseInWhichThePublishedOnesAndHybridsDiffer() {
         assertThat(PublishedConfigurations.namesOfMethods())
-                .containsExactly("startingModes", "mmdRate", "multitaskModes", "pacmanMultitaskScheme");
+                .containsExactly("startingModes", "mmdRate", "multitaskModes", "pacmanMultitaskScheme", "moduleGroups");
         assertThat(PublishedConfigurations.namesOfTasks())
                 .containsExactlyInAnyOrder("imprisonedWhileEdible", "removePillsNearPowerPills");
     }

@@ -161,6 +161,18 @@ class GenotypeXmlTest {
                 .hasMessage(message);
     }
 
+    /** Source: docs/specification/networks.md, section 6.3. */
+    @Test
+    void hierarchicalMultitaskNetwork_isAHybrid() throws GenotypeFormatException {
+        String hierarchical = GenotypeXml.write(NETWORK)
+                .replace(
+                        "name=\"hierarchicalMultitask\" type=\"boolean\" value=\"false\"",
+                        "name=\"hierarchicalMultitask\" type=\"boolean\" value=\"true\"");
+        Genotype hybrid = GenotypeXml.read(hierarchical);
+        assertThat(hybrid.layout().groups()).containsExactly(0, 1);
+        assertThat(GenotypeXml.write(hybrid)).isEqualTo(hierarchical);
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
                     name="numIn" type="int" value="3"      | name="numIn" type="int" value="three"   | numIn: must be a whole number, is "three"
@@ -170,7 +182,6 @@ class GenotypeXmlTest {
                     name="ntype" type="int" value="2"      | name="ntype" type="int" value="9"       | node type must be 0, 1 or 2, is 9
                     name="active" type="boolean" value="true" | name="active" type="boolean" value="1" | links[0].active: must be true or false
                     name="sourceInnovation" type="long" value="-1" | name="sourceInnovation" type="long" value="99" | links[0]: no node has innovation 99
-                    name="hierarchicalMultitask" type="boolean" value="false" | name="hierarchicalMultitask" type="boolean" value="true" | hierarchicalMultitask: hierarchical multitask networks are not supported
                     name="size" type="int" value="7"       | name="size" type="int" value="70"       | nodes.size: is 70 but there are 10 elements
                     TWEANNGenotype"                        | MLPGenotype"                            | document: must be a TWEANNGenotype
                     id="0">                                | id="0"                                  | not well-formed XML

@@ -125,6 +125,18 @@ class ModuleArbitrationTest {
     }
 
     @Test
+    void hybrid_choosesByPreferenceWithinThePresetGroup() {
+        ModuleLayout layout = new ModuleLayout(6, 3, 1, false, List.of(0, 1, 0));
+        NetworkState state = state(layout, ModuleArbitration.PREFERENCE, 10, 0.5, 20, 0.9, 30, 0.75);
+        assertThat(state.activateWithModule(ONE, 0, random)).isEqualTo(2);
+        assertThat(state.policyOutput(0)).isEqualTo(30);
+        assertThat(state.activateWithModule(ONE, 1, random)).isEqualTo(1);
+        assertThat(state.policyOutput(0)).isEqualTo(20);
+        assertThat(state.moduleUsage()).containsExactly(0, 1, 1);
+        assertThatIllegalArgumentException().isThrownBy(() -> state.activateWithModule(ONE, 2, random));
+    }
+
+    @Test
     void hierarchicalMultitask_keepsToTheTask_alsoWhenTiredOrDrawing() {
         ModuleArbitration tasks = ModuleArbitration.PREFERENCE.withTasks(0, 0, 1);
         NetworkState tired = threeModules(tasks.withFatigue(5, 1));

@@ -118,6 +118,48 @@ class RandomChainTest {
                         "AllWeightMutation");
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "H21, 2, 1, 0, false",
+        "H121, 3, 1, 0, false",
+        "H21MMD, 2, 1, 0.3, false",
+        "H21, 2, 2, 0, true",
+        "H121, 3, 1, 0, true"
+    })
+    void everyOffspringOfHybrids_keepsItsGroups(
+            String method, int groups, int policyNeurons, double mmdRate, boolean everything) {
+        ModuleLayout layout =
+                groups == 2 ? ModuleLayout.grouped(policyNeurons, 2, 1) : ModuleLayout.grouped(policyNeurons, 1, 2, 1);
+        VariationSettings settings = everything
+                ? everything(0.05, 0.05, 0.1)
+                : new VariationSettings(MutationRates.PUBLISHED.withModuleDuplication(mmdRate));
+        Set<List<Integer>> seen = new HashSet<>();
+        for (int chain = 0; chain < CHAINS; chain++) {
+            RandomLineages lineages = new RandomLineages(new InitialNetworks(6, layout), settings, 8, 6000 + chain);
+            Map<Long, String> structures = new HashMap<>();
+            lineages.breed(BREEDINGS, child -> {
+                ModuleLayout ofChild = child.genotype().layout();
+                requireInvariants(child.genotype(), 6, layout);
+                requireOneMeaning(child.genotype(), structures);
+                requireRoundTrip(child.genotype());
+                // The layout has checked that each group has a module and each module a group.
+                requireEqual(ofChild.isGrouped(), true, "grouped");
+                requireEqual(ofChild.choicesOfTask(), groups, "number of groups");
+                if (!everything) {
+                    requireModules(child, layout, mmdRate > 0);
+                    requireOutputsKnownByPosition(child.genotype());
+                    requirePartOf(child.genotype(), lineages.pool().archetype());
+                }
+                seen.add(ofChild.groups());
+            });
+        }
+        if (everything || mmdRate > 0) {
+            assertThat(seen).hasSizeGreaterThan(5);
+        } else {
+            assertThat(seen).containsExactly(layout.groups());
+        }
+    }
+
     /**
      * Full module mutation is the only operator that adds modules to the archetype in another order than to networks.
      */
