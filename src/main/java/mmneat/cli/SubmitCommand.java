@@ -179,13 +179,13 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
             List<Integer> runs = part.unfinishedRuns();
             int all = part.plan().runs().size();
             if (runs.isEmpty()) {
-                tell(out, part.plan().name() + ": all " + all + " runs are complete");
+                note(out, part.plan().name() + ": all " + all + " runs are complete");
                 continue;
             }
             if (all > 1) {
                 // Runs that were not started are then shown as waiting; the jobs themselves write only into their own
                 // folders.
-                ExperimentView.recordAsked(part.plan());
+                ExperimentView.recordRequested(part.plan());
             }
             ExperimentJob job = new ExperimentJob(
                     part.plan().name(),
@@ -196,7 +196,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
                             .filter(word -> !word.matches("(runs?|runNumber)[=:].*"))
                             .toList(),
                     runs);
-            tell(out, job.name() + ": " + runs.size() + " of " + all + " runs to do");
+            note(out, job.name() + ": " + runs.size() + " of " + all + " runs to do");
             switch (engine) {
                 case "slurm" -> submitted.addAll(slurm(job, resources, out));
                 case "htcondor" -> {
@@ -248,7 +248,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
     }
 
     /** Prints a message; to standard error if standard output contains a list of commands for other programs. */
-    private void tell(PrintWriter out, String line) {
+    private void note(PrintWriter out, String line) {
         PrintWriter target = engine.equals("parallel") ? notes() : out;
         target.println(line);
         target.flush();

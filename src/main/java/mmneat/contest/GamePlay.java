@@ -140,7 +140,7 @@ final class GamePlay {
                     time = game.getTotalTime();
                     changed = now;
                 } else if (now - changed > limit) {
-                    String asked = StallNotice.controllerAskedBy(player);
+                    String asked = StallNotice.controllerCalledBy(player);
                     player.interrupt();
                     throw new NoAnswer(asked);
                 }

@@ -58,7 +58,7 @@ final class StallNotice implements AutoCloseable {
             told = false;
         } else if (!told) {
             told = true;
-            notes.println("mmneat: at time " + time + " of the game " + controllerAskedBy(player)
+            notes.println("mmneat: at time " + time + " of the game " + controllerCalledBy(player)
                     + " has not answered for "
                     + milliseconds / 1000
                     + " s; with timed=true the game would go on without it, moveLimit= would end it. Ctrl-C ends.");
@@ -67,7 +67,7 @@ final class StallNotice implements AutoCloseable {
     }
 
     /** Returns the class of the controller whose method the playing thread has called to get a move. */
-    static String controllerAskedBy(Thread player) {
+    static String controllerCalledBy(Thread player) {
         StackTraceElement asked = null;
         for (StackTraceElement frame : player.getStackTrace()) {
             if (frame.getClassName().equals(ASKING)) {

@@ -274,7 +274,7 @@ public final class Game {
             boolean updateTotalTime,
             boolean updateLevelTime) {
         if (feast) {
-            GameStep.feast(state);
+            GameStep.updateMeetings(state);
         }
         if (updateLairTimes) {
             GameStep.updateLairTimes(state);

@@ -113,7 +113,7 @@ final class GameState {
      * A lower bound of the path distance from Ms. Pac-Man to the nearest ghost outside the lair. Each move reduces it
      * by at most one. So in most steps the bound shows that no ghost is met, without a look-up of distances.
      */
-    int apart;
+    int minGhostDistance;
 
     /** Bit set of the pills present, by pill number. */
     long[] pills;
@@ -175,7 +175,7 @@ final class GameState {
         lives = other.lives;
         extraLifeReceived = other.extraLifeReceived;
         ghosts = other.ghosts.clone();
-        apart = other.apart;
+        minGhostDistance = other.minGhostDistance;
         pills = other.pills.clone();
         pillsLeft = other.pillsLeft;
         powerPills = other.powerPills;
@@ -338,7 +338,7 @@ final class GameState {
     /** Moves Ms. Pac-Man and the ghosts to their start positions, as at the start of a level and after a death. */
     void resetPositions() {
         ghostMultiplier = 1;
-        apart = 0;
+        minGhostDistance = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             ghosts[POSE + ghost] = MazePoses.of(graph.lair(), NO_MOVE);
             ghosts[EDIBLE + ghost] = 0;
@@ -456,7 +456,7 @@ final class GameState {
     }
 
     /** The generator for random numbers that the original does not draw from the game's generator. */
-    ResumableRandom drawsOfTheRun() {
+    ResumableRandom taskRandom() {
         return shared == null ? random : shared;
     }
 }

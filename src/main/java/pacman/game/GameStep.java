@@ -38,7 +38,7 @@ final class GameStep {
 
     /** Steps 1 to 4: Ms. Pac-Man moves and eats a pill on her node. */
     static void updatePacMan(GameState state, int request) {
-        state.apart--;
+        state.minGhostDistance--;
         int pose = state.pacManPose;
         int stay = MazePoses.turned(pose, NO_MOVE);
         int straight = state.poses.onward(pose);
@@ -137,7 +137,7 @@ final class GameStep {
      * @return bit set of the ghosts that moved in step 7
      */
     static int updateGhosts(GameState state, int requests, Reversal reversal) {
-        state.apart--;
+        state.minGhostDistance--;
         if (reversal != Reversal.NEVER && reverse(state, reversal == Reversal.FORCED) || reversal == Reversal.FORCED) {
             return NO_GHOST;
         }
@@ -220,10 +220,10 @@ final class GameStep {
     }
 
     /** Step 8: Ms. Pac-Man meets ghosts, and edible times decrease. */
-    static void feast(GameState state) {
+    static void updateMeetings(GameState state) {
         state.pacManEaten = false;
         state.ghostsEaten = 0;
-        if (state.apart <= Constants.EAT_DISTANCE && !meetGhosts(state)) {
+        if (state.minGhostDistance <= Constants.EAT_DISTANCE && !meetGhosts(state)) {
             return;
         }
         if (state.isAnyEdible()) {
@@ -251,7 +251,7 @@ final class GameStep {
                 eatGhost(state, ghost);
             }
         }
-        state.apart = nearest;
+        state.minGhostDistance = nearest;
         return true;
     }
 
@@ -318,7 +318,7 @@ final class GameStep {
         // The original draws even at rate 0, from the generator of the evolution. Without that generator the draw has
         // no effect.
         double rate = state.rules.pills().powerPillPunishmentRate();
-        if ((state.shared != null || rate > 0) && state.drawsOfTheRun().nextDouble() < rate) {
+        if ((state.shared != null || rate > 0) && state.taskRandom().nextDouble() < rate) {
             state.gameOver = true;
         }
         if (state.history != null && !state.isAnyEdible()) {
@@ -396,7 +396,7 @@ final class GameStep {
             return state.newLevel() ? old : ghosts;
         }
         ghosts[POSE + ghost] = MazePoses.of(exitNode(state, ghost), MazePoses.move(ghosts[POSE + ghost]));
-        state.apart = 0;
+        state.minGhostDistance = 0;
         if (state.has(GameSwitch.EXIT_LAIR_EDIBLE)) {
             ghosts[EDIBLE + ghost] = state.newEdibleTime();
         }
@@ -405,10 +405,10 @@ final class GameStep {
 
     private static int exitNode(GameState state, int ghost) {
         if (state.has(GameSwitch.RANDOM_LAIR_EXIT)) {
-            return state.graph.junctionNode(state.drawsOfTheRun().nextInt(state.graph.junctionCount()));
+            return state.graph.junctionNode(state.taskRandom().nextInt(state.graph.junctionCount()));
         }
         if (state.has(GameSwitch.LAIR_EXIT_DATABASE)) {
-            int observation = state.drawsOfTheRun().nextInt(GhostLocations.SITUATIONS);
+            int observation = state.taskRandom().nextInt(GhostLocations.SITUATIONS);
             return state.rules
                     .ghosts()
                     .ghostLocations()

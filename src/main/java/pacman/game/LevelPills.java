@@ -35,7 +35,7 @@ final class LevelPills {
     /** Removes the first pills of a shuffled list. */
     private static void removePreEaten(GameState state, int count) {
         List<Integer> numbers = IntStream.range(0, count).boxed().collect(Collectors.toList());
-        ResumableRandom source = state.drawsOfTheRun();
+        ResumableRandom source = state.taskRandom();
         for (int i = count; i > 1; i--) {
             Collections.swap(numbers, i - 1, source.nextInt(i));
         }

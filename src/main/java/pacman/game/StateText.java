@@ -142,7 +142,7 @@ final class StateText {
             state.ghosts[LAIR + ghost] = nextInt();
             state.ghosts[POSE + ghost] = MazePoses.of(node, nextMove());
         }
-        state.apart = 0;
+        state.minGhostDistance = 0;
         readPills(state, fields[next++], fields[next++]);
         state.timeOfLastReversal = nextInt();
         state.pacManEaten = nextBoolean();

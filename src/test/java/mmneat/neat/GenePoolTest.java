@@ -22,7 +22,7 @@ class GenePoolTest {
     void resumedPool_continuesExactly() {
         RandomLineages lineages =
                 new RandomLineages(new InitialNetworks(4, ModuleLayout.withPreferenceNeurons(1, 1)), SETTINGS, 6, 3);
-        lineages.breed(60, child -> assertThat(child.genotype()).isNotNull());
+        lineages.reproduce(60, child -> assertThat(child.genotype()).isNotNull());
         GenePool.State state = lineages.pool().state();
         Genotype parent = lineages.population().get(0);
         Genotype other = lineages.population().get(1);
@@ -80,7 +80,7 @@ class GenePoolTest {
     @Test
     void cleaning_removesUnusedEntries_andShadowsWithTheirNeurons() {
         RandomLineages lineages = new RandomLineages(new InitialNetworks(4, ModuleLayout.single(1)), SETTINGS, 6, 3);
-        lineages.breed(24, child -> assertThat(child.genotype()).isNotNull());
+        lineages.reproduce(24, child -> assertThat(child.genotype()).isNotNull());
         Archetype archetype = lineages.pool().archetype();
         assertThat(archetype.shadows()).isNotEmpty();
 

@@ -53,8 +53,8 @@ public class ReproductionBenchmark {
         Reproduction linking = growing(pool, 0.9, 0);
         Reproduction splicing = growing(pool, 0.9, 0.5);
         while (meanHidden() < HIDDEN || meanLinks() < LINKS) {
-            Reproduction breeding = meanHidden() < HIDDEN ? splicing : linking;
-            List<Genotype> children = breed(breeding);
+            Reproduction reproduction = meanHidden() < HIDDEN ? splicing : linking;
+            List<Genotype> children = reproduce(reproduction);
             parents.clear();
             parents.addAll(children);
             pool.archetype().clean(parents);
@@ -91,20 +91,20 @@ public class ReproductionBenchmark {
     /** One generation. */
     @Benchmark
     public List<Genotype> generation() {
-        return breed(reproduction);
+        return reproduce(reproduction);
     }
 
-    private List<Genotype> breed(Reproduction breeding) {
+    private List<Genotype> reproduce(Reproduction reproduction) {
         List<Genotype> children = new ArrayList<>(SIZE);
         while (children.size() < SIZE) {
             Genotype parent = parents.get(random.nextInt(SIZE));
             if (random.nextBoolean()) {
                 Genotype other = parents.get(random.nextInt(SIZE));
-                for (Offspring child : breeding.fromTwo(parent, other, SIZE - children.size(), random)) {
+                for (Offspring child : reproduction.fromTwo(parent, other, SIZE - children.size(), random)) {
                     children.add(child.genotype());
                 }
             } else {
-                children.add(breeding.fromOne(parent, random).genotype());
+                children.add(reproduction.fromOne(parent, random).genotype());
             }
         }
         return children;

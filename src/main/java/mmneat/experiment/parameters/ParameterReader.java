@@ -84,7 +84,7 @@ public final class ParameterReader {
             remarks.add(Tasks.GHOST_LOCATIONS + " has no effect: only the isolated task has recorded ghost locations");
         }
         if (version.isEmpty()) {
-            remarkOnGame(commandLine, parameters, remarks);
+            remarkOnGameParameters(commandLine, parameters, remarks);
         }
         parameters.as(EvolutionParameters.class).requireConsistent();
         if (!parameters.as(TugParameters.class).isChosen()) {
@@ -134,7 +134,8 @@ public final class ParameterReader {
      * Adds a remark for each parameter of the game that is given for another task. On the command line every value
      * counts. The file of a run contains all defaults, so in a file only other values count.
      */
-    private static void remarkOnGame(Map<String, String> commandLine, Parameters parameters, List<String> remarks) {
+    private static void remarkOnGameParameters(
+            Map<String, String> commandLine, Parameters parameters, List<String> remarks) {
         List<String> idle = GameParameters.ofTheGameAlone().stream()
                 .filter(name -> commandLine.containsKey(name)
                         || !parameters

@@ -134,7 +134,7 @@ public final class ExperimentRunner {
     public List<RunOutcome> run() throws InterruptedException {
         requireFolder();
         if (plan.runs().size() > 1) {
-            recordAsked();
+            recordRequested();
         }
         int threads = threads();
         boolean splitsRuns = plan.parameters().flag("parallelEvaluations");
@@ -161,9 +161,9 @@ public final class ExperimentRunner {
         }
     }
 
-    private void recordAsked() {
+    private void recordRequested() {
         try {
-            ExperimentView.recordAsked(plan);
+            ExperimentView.recordRequested(plan);
         } catch (IOException e) {
             throw new UserError(plan.base() + ": cannot be written to: " + FileErrors.reason(e), e);
         }

@@ -133,7 +133,7 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
     /**
      * Records the requested runs in the experiment's folder, so that runs that were not started are shown as waiting.
      */
-    public static void recordAsked(ExperimentPlan plan) throws IOException {
+    public static void recordRequested(ExperimentPlan plan) throws IOException {
         Path file = plan.base().resolve(plan.name() + ASKED);
         SortedSet<Integer> numbers = new TreeSet<>();
         for (RunView run : asked(file)) {

@@ -85,7 +85,7 @@ final class RunWorker {
             }
             return evolveLocked();
         } catch (Exception | Error e) {
-            return endedBy(e);
+            return outcomeOf(e);
         }
     }
 
@@ -107,15 +107,15 @@ final class RunWorker {
         try {
             return evolve(lock);
         } catch (Exception | Error e) {
-            RunOutcome outcome = endedBy(e);
+            RunOutcome outcome = outcomeOf(e);
             return outcome.phase() == RunMonitor.Phase.FAILED ? recorded(outcome, lock) : outcome;
         }
     }
 
     /** Maps the exception that ended a run to its outcome. */
-    private RunOutcome endedBy(Throwable e) {
+    private RunOutcome outcomeOf(Throwable e) {
         if (e instanceof RunRecorder.RunStoppedException || e instanceof UncheckedIOException) {
-            return endedBy(e.getCause());
+            return outcomeOf(e.getCause());
         }
         if (e instanceof RunLock.HeldException) {
             return new RunOutcome(run, RunMonitor.Phase.IN_USE, null, e.getMessage(), null);
@@ -168,7 +168,7 @@ final class RunWorker {
         }
         isFolderAccepted = true;
         EvolutionState state = saved.isPresent()
-                ? goOn(saved.get(), folder, files, checkpoint)
+                ? resume(saved.get(), folder, files, checkpoint)
                 : begin(EvolutionState.initial(settings), folder, files, checkpoint);
         GhostLocationsCopy.keep(run.directory(), run.parameters());
         parametersFile.write(run.parameters());
@@ -208,7 +208,7 @@ final class RunWorker {
         return initial;
     }
 
-    private EvolutionState goOn(Checkpoint last, RunFolder folder, RunFiles files, CheckpointFile checkpoint)
+    private EvolutionState resume(Checkpoint last, RunFolder folder, RunFiles files, CheckpointFile checkpoint)
             throws IOException {
         folder.cutTo(last.logs());
         if (last.evolution().generation() == 0) {

@@ -279,7 +279,7 @@ class ExperimentRunnerTest {
     @Test
     void status_fromTheFilesAlone_showsFinishedAndWaitingRuns() throws Exception {
         run("seen", "runs=2", "maxGens=2");
-        ExperimentView.recordAsked(plan("seen", "runs=4", "maxGens=2"));
+        ExperimentView.recordRequested(plan("seen", "runs=4", "maxGens=2"));
         List<ExperimentView> experiments = ExperimentView.readAll(folder, Instant.now());
         assertThat(experiments).hasSize(1);
         ExperimentView seen = experiments.get(0);

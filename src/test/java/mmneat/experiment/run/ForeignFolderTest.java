@@ -264,7 +264,7 @@ class ForeignFolderTest {
     }
 
     @Test
-    void run_startsInAnEmptyFolder_orOneWithOnlyALock() throws Exception {
+    void run_startsInAnEmptyFolder_orOneWithoutFilesOfARun() throws Exception {
         delete(folder);
         Files.createDirectories(folder);
         Files.writeString(folder.resolve("checkpoint.json.gz.unfinished"), "x");

@@ -28,7 +28,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class RandomChainTest {
 
     private static final int CHAINS = 10;
-    private static final int BREEDINGS = 150;
+    private static final int REPRODUCTIONS = 150;
 
     private static final int MOST_MODULES = 6;
 
@@ -74,7 +74,7 @@ class RandomChainTest {
             RandomLineages lineages =
                     new RandomLineages(new InitialNetworks(inputs, layout), settings, 8, 1000 + chain);
             Map<Long, String> structures = new HashMap<>();
-            lineages.breed(BREEDINGS, child -> {
+            lineages.reproduce(REPRODUCTIONS, child -> {
                 requireInvariants(child.genotype(), inputs, layout);
                 requireModules(child, layout, mmdRate > 0);
                 requireOutputsKnownByPosition(child.genotype());
@@ -95,7 +95,7 @@ class RandomChainTest {
             RandomLineages lineages =
                     new RandomLineages(new InitialNetworks(5, layout), everything(0.05, 0.05, 0.1), 8, 2000 + chain);
             Map<Long, String> structures = new HashMap<>();
-            lineages.breed(BREEDINGS, child -> {
+            lineages.reproduce(REPRODUCTIONS, child -> {
                 requireInvariants(child.genotype(), 5, layout);
                 requireOneMeaning(child.genotype(), structures);
                 requireRoundTrip(child.genotype());
@@ -169,7 +169,7 @@ class RandomChainTest {
         for (int chain = 0; chain < CHAINS; chain++) {
             RandomLineages lineages =
                     new RandomLineages(new InitialNetworks(5, layout), everything(0.1, 0, 0.3), 8, 3000 + chain);
-            lineages.breed(BREEDINGS, child -> {
+            lineages.reproduce(REPRODUCTIONS, child -> {
                 requireInvariants(child.genotype(), 5, layout);
                 requirePartOf(child.genotype(), lineages.pool().archetype());
             });
@@ -184,7 +184,7 @@ class RandomChainTest {
             RandomLineages lineages =
                     new RandomLineages(new InitialNetworks(5, layout), everything(0.1, 0.1, 0.3), 8, 4000 + chain);
             Map<Long, String> structures = new HashMap<>();
-            lineages.breed(BREEDINGS, child -> {
+            lineages.reproduce(REPRODUCTIONS, child -> {
                 requireInvariants(child.genotype(), 5, layout);
                 requireOneMeaning(child.genotype(), structures);
             });
@@ -203,8 +203,8 @@ class RandomChainTest {
                 ActivationFunction.TANH);
         RandomLineages lineages = new RandomLineages(new InitialNetworks(5, layout), settings, 8, 5000);
         int[] most = {0};
-        lineages.breed(
-                20 * BREEDINGS,
+        lineages.reproduce(
+                20 * REPRODUCTIONS,
                 child -> most[0] = Math.max(most[0], child.genotype().modules()));
         assertThat(most[0]).isEqualTo(MOST_MODULES);
     }

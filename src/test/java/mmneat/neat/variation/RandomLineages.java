@@ -34,7 +34,7 @@ public final class RandomLineages {
     }
 
     /** Reproduces a number of times. The offspring replace random members. The archetype is cleaned at intervals. */
-    public void breed(int times, Consumer<Offspring> check) {
+    public void reproduce(int times, Consumer<Offspring> check) {
         for (int i = 0; i < times; i++) {
             Genotype first = evaluated(population.get(random.nextInt(population.size())));
             List<Offspring> children;

@@ -43,7 +43,7 @@ class RecordedLineagesTest {
                 7);
         MessageDigest digest = MessageDigest.getInstance("SHA-256");
 
-        lineages.breed(200, child -> {
+        lineages.reproduce(200, child -> {
             digest.update(genesOf(child.genotype()).getBytes(StandardCharsets.UTF_8));
             digest.update((child.firstParent() + " " + child.mutations()).getBytes(StandardCharsets.UTF_8));
         });
