@@ -28,8 +28,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 
 /**
- * A page in a real Chromium without a window, driven over the DevTools protocol. Collects everything that a reader should never
- * see: console errors, exceptions, requests that leave the page.
+ * A page in a real Chromium without a window, driven over the DevTools protocol. Collects everything that a reader
+ * should never see: console errors, exceptions, requests that leave the page.
  */
 public final class HeadlessChromium implements AutoCloseable {
 
@@ -46,7 +46,10 @@ public final class HeadlessChromium implements AutoCloseable {
     private final Map<String, CompletableFuture<JsonNode>> awaited = new ConcurrentHashMap<>();
     private final List<String> complaints = new CopyOnWriteArrayList<>();
 
-    /** Starts the browser; without one the test is skipped, but fails if the environment says that this is the full check. */
+    /**
+     * Starts the browser; without one the test is skipped, but fails if the environment says that this is the full
+     * check.
+     */
     public static HeadlessChromium start() throws IOException {
         Optional<Path> program = Stream.of("chromium", "chromium-browser", "google-chrome")
                 .flatMap(name -> Stream.of(System.getenv("PATH").split(java.io.File.pathSeparator))

@@ -27,7 +27,7 @@ public final class Figure {
     private final Layout narrow;
 
     /**
-     * How panels are placed.
+     * The arrangement of panels.
      *
      * @param columns panels per row
      * @param panelWidth width of a panel in points

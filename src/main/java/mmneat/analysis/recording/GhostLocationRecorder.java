@@ -15,8 +15,8 @@ import pacman.game.Constants;
 import pacman.game.Game;
 
 /**
- * Records where the ghosts are when a champion eats a power pill while all four are outside the lair and none is edible:
- * the situations from which the ghost-eating games of the isolated version start.
+ * Records where the ghosts are when a champion eats a power pill while all four are outside the lair and none is
+ * edible: the situations from which the ghost-eating games of the isolated version start.
  *
  * <p>The same champion, settings and seed give the same recording. {@link pacman.game.GhostLocations} reads its text.
  *
@@ -71,7 +71,9 @@ public final class GhostLocationRecorder {
         games++;
     }
 
-    /** The maze with the power pill that has the fewest situations: where a game should start to find what is missing. */
+    /**
+     * The maze with the power pill that has the fewest situations: where a game should start to find what is missing.
+     */
     public int scarcestMaze() {
         return scarcest() / POWER_PILLS;
     }
@@ -109,7 +111,9 @@ public final class GhostLocationRecorder {
         return games;
     }
 
-    /** The power pills that have too few situations, for example "maze 2 power pill 0 (34 of 100)"; empty if complete. */
+    /**
+     * The power pills that have too few situations, for example "maze 2 power pill 0 (34 of 100)"; empty if complete.
+     */
     public String missing() {
         return IntStream.range(0, lines.size())
                 .filter(key -> lines.get(key).size() < wanted)

@@ -7,8 +7,8 @@ import java.util.stream.Collectors;
 /**
  * The colours of modules in pages and pictures; module 8 has the colour of module 0 again.
  *
- * <p>Every two of them differ for readers with normal colour vision and for colour-blind readers: {@code ModuleColoursTest}
- * computes the distances. None is close to the blue of walls, edible ghosts and excitatory signals.
+ * <p>Every two of them differ for readers with normal colour vision and for colour-blind readers: {@code
+ * ModuleColoursTest} computes the distances. None is close to the blue of walls, edible ghosts and excitatory signals.
  */
 final class ModuleColours {
 

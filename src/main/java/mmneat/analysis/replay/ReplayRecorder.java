@@ -10,10 +10,11 @@ import java.util.Map;
 /**
  * Records games step by step and packs them.
  *
- * <p>Every quantity is a column: one byte string over all steps. Columns hold differences from step to step, modulo 256 (or
- * 65536, low bytes first, then high bytes), because nearly all differences are 0 or repeat; deflate then finds the runs. Sensor
- * values are rounded to 1/127, activations to 1/32: finer than the eye can tell. A game of four mazes, 8,000 steps with 30
- * sensors and 40 nodes for each direction, is 2.3 million values and packs to well under a megabyte.
+ * <p>Every quantity is a column: one byte string over all steps. Columns hold differences from step to step, modulo 256
+ * (or 65536, low bytes first, then high bytes), because nearly all differences are 0 or repeat; deflate then finds the
+ * runs. Sensor values are rounded to 1/127, activations to 1/32: finer than the eye can tell. A game of four mazes,
+ * 8,000 steps with 30 sensors and 40 nodes for each direction, is 2.3 million values and packs to well under a
+ * megabyte.
  */
 public final class ReplayRecorder {
 

@@ -24,7 +24,8 @@ final class Html {
     }
 
     /**
-     * A drawing as part of the page: its text can be searched and copied, and its parts say what they are when pointed at.
+     * A drawing as part of the page: its text can be searched and copied, and its parts say what they are when pointed
+     * at.
      *
      * @param svg an SVG document without identifiers
      * @param classes CSS classes of the element around it

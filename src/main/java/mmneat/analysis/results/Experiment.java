@@ -32,8 +32,8 @@ public record Experiment(String version, String method, String label, List<RunRe
     }
 
     /**
-     * How the parameters differ from the paper's for the same version and method, by name: the paper's values. Empty also for what
-     * the paper does not have.
+     * How the parameters differ from the paper's for the same version and method, by name: the paper's values. Empty
+     * also for what the paper does not have.
      */
     public Map<String, String> differencesFromPaper() {
         Optional<TaskVersion> published = TaskVersion.labelled(version)
@@ -56,8 +56,8 @@ public record Experiment(String version, String method, String label, List<RunRe
     /**
      * The champion scores of the runs that can be compared.
      *
-     * @param evaluated whether to take the evaluations of the runs that are finished and evaluated, or the last generations of those
-     *     that are finished
+     * @param evaluated whether to take the evaluations of the runs that are finished and evaluated, or the last
+     *     generations of those that are finished
      */
     public double[] championScores(boolean evaluated) {
         return runs.stream()
@@ -67,8 +67,8 @@ public record Experiment(String version, String method, String label, List<RunRe
     }
 
     /**
-     * The run with the best champion: by its evaluation, if a finished run has one; if none has, by the score with which it was
-     * chosen.
+     * The run with the best champion: by its evaluation, if a finished run has one; if none has, by the score with
+     * which it was chosen.
      */
     public RunResult best() {
         return runs.stream()

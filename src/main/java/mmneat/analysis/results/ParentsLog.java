@@ -20,8 +20,8 @@ final class ParentsLog {
     private ParentsLog() {}
 
     /**
-     * The column of the champion's score, counted from 1: the gnuplot script beside the log names it, because other objectives and
-     * scores move it.
+     * The column of the champion's score, counted from 1: the gnuplot script beside the log names it, because other
+     * objectives and scores move it.
      */
     static int championScoreColumn(Path log) {
         Path script = log.resolveSibling(log.getFileName().toString().replaceFirst("\\.txt$", ".plot"));

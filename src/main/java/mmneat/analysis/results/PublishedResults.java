@@ -11,9 +11,11 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The paper's champions and learning curves, read off its figures: 30 champions per method, medians for generations 0 to 200.
+ * The paper's champions and learning curves, read off its figures: 30 champions per method, medians for generations 0
+ * to 200.
  *
- * <p>Source and precision: {@code SOURCE.md} beside the data. Methods have the paper's names, see {@link MethodName#paper}.
+ * <p>Source and precision: {@code SOURCE.md} beside the data. Methods have the paper's names, see {@link
+ * MethodName#paper}.
  */
 public final class PublishedResults {
 

@@ -48,8 +48,8 @@ public final class RunReader {
     }
 
     /**
-     * The champion's score in each generation: from our own table, or from the log in the original's form, which the original's
-     * runs have alone.
+     * The champion's score in each generation: from our own table, or from the log in the original's form, which the
+     * original's runs have alone.
      *
      * @throws UserError if there is none
      */

@@ -3,8 +3,8 @@ package mmneat.analysis.statistics;
 import mmneat.random.ResumableRandom;
 
 /**
- * Percentile bootstrap interval of a sample's median (Efron 1979): the quantiles of the medians of samples drawn from it with
- * replacement.
+ * Percentile bootstrap interval of a sample's median (Efron 1979): the quantiles of the medians of samples drawn from
+ * it with replacement.
  *
  * @param low lower end, one of the sample's order statistics or the mean of two
  * @param high upper end

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The paper's comparison of several methods (its Tables 3 to 5): Kruskal-Wallis over all, Mann-Whitney for every pair with
- * Bonferroni's correction, as R's {@code kruskal.test} and {@code pairwise.wilcox.test}.
+ * The paper's comparison of several methods (its Tables 3 to 5): Kruskal-Wallis over all, Mann-Whitney for every pair
+ * with Bonferroni's correction, as R's {@code kruskal.test} and {@code pairwise.wilcox.test}.
  *
  * @param samples the groups, in the order of the tables
  * @param kruskalWallis over all groups

@@ -11,8 +11,8 @@ public final class Numbers {
     private static final double LARGE = 1e9;
 
     /**
-     * A score: groups of three digits and no decimals if it is a hundred or more, else up to four digits; with an exponent from
-     * a billion on; a dash for NaN.
+     * A score: groups of three digits and no decimals if it is a hundred or more, else up to four digits; with an
+     * exponent from a billion on; a dash for NaN.
      */
     public static String score(double value) {
         if (Double.isNaN(value)) {

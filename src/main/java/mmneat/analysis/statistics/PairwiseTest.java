@@ -6,9 +6,10 @@ import org.apache.commons.statistics.inference.MannWhitneyUTest;
 import org.apache.commons.statistics.inference.PValueMethod;
 
 /**
- * Two-sided Mann-Whitney U test of two samples, as R's {@code wilcox.test} decides it: exact if both have fewer than 50 values
- * and no value occurs twice in the pair, else the normal approximation with continuity correction and tie-corrected variance
- * (docs/specification/evolution.md, section 8). The probabilities themselves are computed by Commons Statistics.
+ * Two-sided Mann-Whitney U test of two samples, as R's {@code wilcox.test} decides it: exact if both have fewer than 50
+ * values and no value occurs twice in the pair, else the normal approximation with continuity correction and
+ * tie-corrected variance (docs/specification/evolution.md, section 8). The probabilities themselves are computed by
+ * Commons Statistics.
  *
  * @param a label of the first sample
  * @param b label of the second sample
@@ -16,8 +17,8 @@ import org.apache.commons.statistics.inference.PValueMethod;
  * @param ties whether any two values of the pooled pair are equal
  * @param method how p was computed
  * @param p two-sided; NaN if all values are equal
- * @param effectSize Vargha and Delaney's A: the probability that a value of the first sample is the larger, ties counted half;
- *     0.5 is no effect
+ * @param effectSize Vargha and Delaney's A: the probability that a value of the first sample is the larger, ties
+ *     counted half; 0.5 is no effect
  */
 public record PairwiseTest(String a, String b, double u, boolean ties, Method method, double p, double effectSize) {
 
@@ -47,8 +48,8 @@ public record PairwiseTest(String a, String b, double u, boolean ties, Method me
     }
 
     /**
-     * The usual word for the size of the effect: negligible, small, medium, large at |A - 0.5| of 0.06, 0.14, 0.21 (Vargha and
-     * Delaney 2000).
+     * The usual word for the size of the effect: negligible, small, medium, large at |A - 0.5| of 0.06, 0.14, 0.21
+     * (Vargha and Delaney 2000).
      */
     public String magnitude() {
         double distance = Math.abs(effectSize - 0.5);

@@ -53,16 +53,16 @@ public record TaskDivision(String name, List<TaskPredicate> tasks) {
     }
 
     /**
-     * The division that fits a version: the pill task and the ghost task for the isolated one, else being among threats and
-     * being among edible ghosts.
+     * The division that fits a version: the pill task and the ghost task for the isolated one, else being among threats
+     * and being among edible ghosts.
      */
     public static TaskDivision usual(TaskVersion version) {
         return named(version == TaskVersion.ISOLATED ? "pills,noPills" : "threats,edible");
     }
 
     /**
-     * The division with a name: single predicates separated by commas, or a division among modules, whose modules are the
-     * tasks.
+     * The division with a name: single predicates separated by commas, or a division among modules, whose modules are
+     * the tasks.
      *
      * @throws UserError if there is none
      */

@@ -12,7 +12,9 @@ import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
  */
 public record TaskMeasurement(TaskDivision division, List<Episode> episodes) {
 
-    /** The mean thrashing rate up to which tasks count as interleaved: the paper's bound for the interleaved version. */
+    /**
+     * The mean thrashing rate up to which tasks count as interleaved: the paper's bound for the interleaved version.
+     */
     public static final double INTERLEAVED_BOUND = 0.01;
 
     public TaskMeasurement {
@@ -52,9 +54,9 @@ public record TaskMeasurement(TaskDivision division, List<Episode> episodes) {
     }
 
     /**
-     * The version that the episodes are examples of, as section 3 of the paper defines them: isolated if the task never changes
-     * within an episode; interleaved if there is one task at a time and it changes seldom, at a mean thrashing rate of at most
-     * {@value #INTERLEAVED_BOUND}; otherwise blended.
+     * The version that the episodes are examples of, as section 3 of the paper defines them: isolated if the task never
+     * changes within an episode; interleaved if there is one task at a time and it changes seldom, at a mean thrashing
+     * rate of at most {@value #INTERLEAVED_BOUND}; otherwise blended.
      */
     public TaskVersion version() {
         if (overlap() > 0) {

@@ -86,8 +86,8 @@ class FigureTest {
     }
 
     /**
-     * The drawings between the text before a legend entry and the entry's text. Those of the first entry begin with the data
-     * of the last panel.
+     * The drawings between the text before a legend entry and the entry's text. Those of the first entry begin with the
+     * data of the last panel.
      */
     private static List<String> swatches(Figure figure, String text) {
         List<String> lines = figure.svg().lines().toList();

@@ -9,7 +9,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Distances between the colours of modules, as readers with normal and with dichromatic vision see them. */
 class ModuleColoursTest {
 
-    /** CIELAB distance; 2.3 is just noticeable side by side, thin lines apart from each other need about ten times that. */
+    /**
+     * CIELAB distance; 2.3 is just noticeable side by side, thin lines apart from each other need about ten times that.
+     */
     private static final double MINIMUM_DISTANCE = 25;
 
     /** Linear RGB as seen by a dichromat: Machado, Oliveira and Fernandes 2009, severity 1.0. */

@@ -7,7 +7,9 @@ import mmneat.analysis.replay.ReplayNetwork.Kind;
 import mmneat.analysis.replay.ReplayNetwork.Link;
 import mmneat.analysis.replay.ReplayNetwork.Node;
 
-/** A constructed game: Ms. Pac-Man runs around a square in two levels, one module per level, eating ten points a pill. */
+/**
+ * A constructed game: Ms. Pac-Man runs around a square in two levels, one module per level, eating ten points a pill.
+ */
 final class SyntheticReplay {
 
     static final int STEPS_PER_LEVEL = 160;

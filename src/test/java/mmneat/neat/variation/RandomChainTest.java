@@ -137,7 +137,7 @@ class RandomChainTest {
         for (int chain = 0; chain < CHAINS; chain++) {
             RandomLineages lineages = new RandomLineages(new InitialNetworks(6, layout), settings, 8, 6000 + chain);
             Map<Long, String> structures = new HashMap<>();
-            lineages.breed(BREEDINGS, child -> {
+            lineages.reproduce(REPRODUCTIONS, child -> {
                 ModuleLayout ofChild = child.genotype().layout();
                 requireInvariants(child.genotype(), 6, layout);
                 requireOneMeaning(child.genotype(), structures);
