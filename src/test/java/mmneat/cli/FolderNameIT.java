@@ -24,7 +24,9 @@ class FolderNameIT {
     void inAFolderThatTheLocaleCannotRepresent_nothingIsWritten_andTheReasonIsReported() throws Exception {
         ProgramRun run = runIn("C");
         assertThat(run.exitCode()).isEqualTo(2);
-        assertThat(run.errors()).contains("letters that the locale cannot tell").contains("LC_ALL=C.UTF-8");
+        assertThat(run.errors())
+                .contains("letters that the locale cannot represent")
+                .contains("LC_ALL=C.UTF-8");
         assertThat(place().toFile().list()).hasSize(1);
     }
 
