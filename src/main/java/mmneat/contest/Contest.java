@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import mmneat.contest.ContestResult.Repetition;
 import mmneat.contest.GamePlay.Outcome;
+import mmneat.experiment.PlainText;
 import pacman.GameSeries;
 import pacman.game.Game;
 
@@ -112,11 +113,17 @@ public final class Contest {
     /** Returns the stack trace without this program's frames that lead to the controller. */
     private static String trace(Throwable thrown) {
         StringWriter text = new StringWriter();
-        thrown.printStackTrace(new PrintWriter(text, true));
+        try {
+            thrown.printStackTrace(new PrintWriter(text, true));
+        } catch (RuntimeException | Error e) {
+            // The exception's own methods fail: its name must do.
+            return PlainText.shown(thrown);
+        }
         return text.toString()
                 .lines()
                 .filter(line -> !OUR_FRAME.matcher(line).find())
                 .limit(TRACE_LINES)
+                .map(PlainText::shown)
                 .collect(Collectors.joining(System.lineSeparator()));
     }
 

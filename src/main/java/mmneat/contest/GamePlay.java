@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import mmneat.contest.entry.MissingMember;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import pacman.ControllerFailure;
 import pacman.Executor;
@@ -201,7 +202,7 @@ final class GamePlay {
     }
 
     private static String threw(Throwable thrown) {
-        return thrown + MissingMember.explanation(thrown);
+        return PlainText.shown(thrown) + MissingMember.explanation(thrown);
     }
 
     private static void pause(int milliseconds) {

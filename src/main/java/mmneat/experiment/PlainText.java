@@ -41,6 +41,18 @@ public final class PlainText {
         return shown.toString();
     }
 
+    /**
+     * Returns the class and the message of what foreign code threw, as {@link #shown(String)} does. If its own methods
+     * fail, the class alone.
+     */
+    public static String shown(Throwable thrown) {
+        try {
+            return shown(String.valueOf(thrown.toString()));
+        } catch (RuntimeException | Error e) {
+            return shown(thrown.getClass().getName());
+        }
+    }
+
     /** Some readers treat line and paragraph separators as line ends. */
     private static boolean isPlain(String text, int i) {
         char c = text.charAt(i);

@@ -212,6 +212,9 @@ public final class Archetype {
                     throw new IllegalArgumentException(
                             "archetype: neuron " + neuron + " and its shadow " + shadow + " are not both entries");
                 }
+                if (neuron.equals(shadow)) {
+                    throw new IllegalArgumentException("archetype: neuron " + neuron + " is its own shadow");
+                }
             });
         }
 

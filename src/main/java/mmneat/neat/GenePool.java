@@ -17,6 +17,12 @@ import java.util.Set;
  */
 public final class GenePool {
 
+    /**
+     * Maximum of a counter in a state. A run that takes a billion numbers per second for a century stays below it; a
+     * larger value comes from a damaged file and would overflow.
+     */
+    private static final long MAX_COUNTER = Long.MAX_VALUE / 2;
+
     private final Archetype archetype;
     private long nextInnovation;
     private long nextGenotypeId;
@@ -113,11 +119,13 @@ public final class GenePool {
         /**
          * Checks that a population can belong to a pool in this state, which may come from a file.
          *
-         * @throws IllegalArgumentException if the archetype is not a valid order of neurons, or a genotype has neurons
-         *     or links unknown to the pool, neurons in another order, or an id that the pool would give out again; the
-         *     message says which
+         * @throws IllegalArgumentException if a counter is about to overflow, the archetype is not a valid order of
+         *     neurons, or a genotype has neurons or links unknown to the pool, neurons in another order, or an id that
+         *     the pool would give out again; the message says which
          */
         public void requireOwn(Collection<Genotype> population) {
+            requireNoOverflow("nextInnovation", nextInnovation);
+            requireNoOverflow("nextGenotypeId", nextGenotypeId);
             archetype.requireOrder();
             archetype.entries().forEach(entry -> requireTaken("archetype: a neuron", entry.innovation()));
             GenePool pool = resume(this);
@@ -132,6 +140,12 @@ public final class GenePool {
                 if (!ids.add(genotype.id())) {
                     throw new IllegalArgumentException("two genotypes have the id " + genotype.id());
                 }
+            }
+        }
+
+        private static void requireNoOverflow(String counter, long value) {
+            if (value > MAX_COUNTER) {
+                throw new IllegalArgumentException(counter + " must be at most " + MAX_COUNTER + ", is " + value);
             }
         }
 

@@ -147,6 +147,25 @@ class PlayCommandTest extends CommandTest {
     }
 
     @Test
+    void entryWhoseExceptionMisbehaves_isNamedInOneLine() throws IOException {
+        Path classes = CompiledClasses.compile(
+                folder,
+                System.getProperty("java.class.path"),
+                "package my; public class Entry extends pacman.controllers.Controller<pacman.game.Constants.MOVE> {"
+                        + " static int games;"
+                        + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) {"
+                        + "   if (games++ == 0) { throw new IllegalStateException(\"no\\nidea\\u001b[31m\"); }"
+                        + "   throw new IllegalStateException() { public String toString() {"
+                        + "     throw new IllegalStateException(); } }; } }");
+        assertThat(execute("play", "classpath=" + classes, "pacman=my.Entry", "games=2", "onFailure=score0"))
+                .isZero();
+        assertThat(out.toString()).contains("IllegalStateException: no?idea?[31m");
+        assertThat(out.toString().lines().filter(line -> line.startsWith("idea")))
+                .isEmpty();
+        assertThat(errors.toString()).contains("my.Entry$1").doesNotContain("\u001b");
+    }
+
+    @Test
     void userErrors_areOneLine() throws IOException {
         assertMistake("unknown name 'pacmn' (did you mean 'pacman'?)", "play", "pacmn=StarterPacMan");
         assertMistake("there is no controller 'Starter'", "play", "pacman=Starter");

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import mmneat.contest.entry.ArgumentValues.Argument;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import pacman.controllers.Controller;
 
@@ -119,13 +120,14 @@ public final class ControllerFactory<T> {
                             .toArray());
         } catch (InvocationTargetException e) {
             throw new UserError(
-                    "the constructor of " + type.getName() + " threw " + e.getCause()
+                    "the constructor of " + type.getName() + " threw " + PlainText.shown(e.getCause())
                             + MissingMember.explanation(e.getCause()),
                     e);
         } catch (InstantiationException | IllegalAccessException e) {
             throw new UserError(type.getName() + " cannot be constructed: " + e, e);
         } catch (ExceptionInInitializerError e) {
-            throw new UserError("the static initialiser of " + type.getName() + " threw " + e.getCause(), e);
+            throw new UserError(
+                    "the static initialiser of " + type.getName() + " threw " + PlainText.shown(e.getCause()), e);
         } catch (LinkageError e) {
             throw unusable(e);
         } finally {

@@ -1,6 +1,7 @@
 package mmneat.experiment.parameters;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.StandardCharsets;
@@ -149,8 +150,14 @@ public final class ParameterReader {
         }
     }
 
+    /** Maximum size in bytes of a parameter file; with all parameters it has 20 kB. */
+    private static final int MAX_FILE_BYTES = 1 << 20;
+
     /** Reads a parameter file: Java properties, or a file that the original saved. */
     private Map<String, String> file(String name, boolean forGames, List<String> remarks) {
+        if (name.isEmpty()) {
+            throw new UserError("config=: must be the name of a file");
+        }
         Map<String, String> layer;
         try {
             String text = text(bytes(name));
@@ -192,7 +199,15 @@ public final class ParameterReader {
                 return packed.get();
             }
         }
-        return Files.readAllBytes(file);
+        // Not all at once: a device has no end.
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] bytes = in.readNBytes(MAX_FILE_BYTES + 1);
+            if (bytes.length > MAX_FILE_BYTES) {
+                throw new UserError(
+                        "is larger than " + (MAX_FILE_BYTES >> 20) + " MiB, so it is no file of parameters");
+            }
+            return bytes;
+        }
     }
 
     /** Decodes UTF-8 text, with or without a byte order mark. */

@@ -1,6 +1,8 @@
 package mmneat.experiment.store;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -61,6 +63,7 @@ public final class CheckpointCheck {
         }
         if (checkpoint.evolution().generation() > 0) {
             requireAllLogs(checkpoint.logs().keySet(), directory);
+            requireLastRow(checkpoint, directory);
         }
         checkpoint.unsynced().forEach((name, stretch) -> {
             if (stretch == null || stretch.from() < 0 || stretch.to() < stretch.from()) {
@@ -88,6 +91,25 @@ public final class CheckpointCheck {
         if (present < length) {
             throw new IllegalArgumentException(
                     log + " has " + present + " bytes, but the checkpoint was written when it had " + length);
+        }
+    }
+
+    /** Checks that the table of generations ends, where the checkpoint was written, with the generation before it. */
+    private static void requireLastRow(Checkpoint checkpoint, Path directory) throws IOException {
+        long length = checkpoint.logs().getOrDefault(RunLayout.GENERATIONS, 0L);
+        if (length == 0) {
+            return;
+        }
+        byte[] table;
+        try (InputStream in = Files.newInputStream(directory.resolve(RunLayout.GENERATIONS))) {
+            table = in.readNBytes((int) Math.min(length, Integer.MAX_VALUE - 16));
+        }
+        String rows = new String(table, StandardCharsets.UTF_8).stripTrailing();
+        String last = rows.substring(rows.lastIndexOf('\n') + 1);
+        int before = checkpoint.evolution().generation() - 1;
+        if (!last.startsWith(before + ",")) {
+            throw new IllegalArgumentException("generation is " + (before + 1) + ", but the checkpoint's part of "
+                    + RunLayout.GENERATIONS + " does not end with generation " + before);
         }
     }
 

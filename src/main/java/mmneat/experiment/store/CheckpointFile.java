@@ -1,6 +1,7 @@
 package mmneat.experiment.store;
 
 import java.io.ByteArrayOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -115,6 +116,8 @@ public final class CheckpointFile {
             } catch (NoSuchFileException e) {
                 // The program was killed between two renames, or the file was never written: try the other file.
                 continue;
+            } catch (EOFException e) {
+                noteDamage(file, "it is cut off");
             } catch (IOException | IllegalArgumentException e) {
                 noteDamage(file, String.valueOf(e.getMessage()));
             }

@@ -215,6 +215,9 @@ class ParameterReaderTest {
         Files.writeString(config, "task=blended\nmu=-1\n");
         assertMistake("mine.properties: mu=-1: must be", "config=" + config);
         assertMistake("cannot be read", "config=" + folder.resolve("none"));
+        assertMistake("config=: must be the name of a file", "config=");
+        Path large = Files.write(folder.resolve("large"), new byte[(1 << 20) + 1]);
+        assertMistake("large: is larger than 1 MiB, so it is no file of parameters", "config=" + large);
     }
 
     @Test

@@ -78,6 +78,14 @@ class ForeignFolderTest {
                 edit("other format", c -> c.put("format", "zip")),
                 edit("negative generation", c -> evolution(c).put("generation", -1)),
                 edit("generation that is null", c -> evolution(c).putNull("generation")),
+                edit("earlier generation", c -> evolution(c).put("generation", 1)),
+                edit("length that is a fraction", c -> logs(c).put("generations.csv", 1.5)),
+                edit("innovations about to overflow", c -> pool(c).put("nextInnovation", Long.MAX_VALUE)),
+                edit("genotype ids about to overflow", c -> pool(c).put("nextGenotypeId", Long.MAX_VALUE)),
+                edit("neuron that is its own shadow", c -> shadows(c)
+                        .put(
+                                archetype(c).get(0).get("innovation").asText(),
+                                archetype(c).get(0).get("innovation").asLong())),
                 edit("fractional generation", c -> evolution(c).put("generation", 1.5)),
                 edit("empty population", c -> population(c).removeAll()),
                 edit("smaller population", c -> population(c).remove(0)),
@@ -185,6 +193,19 @@ class ForeignFolderTest {
             }
         }
         assertThat(run(3).message()).contains("larger than 20 MiB when unpacked");
+    }
+
+    @ParameterizedTest
+    @MethodSource("damages")
+    void damagedCheckpoint_theMessageNamesNoJavaClass(Edit edit) throws Exception {
+        change(newest(), edit);
+        assertThat(run(3).message()).doesNotContain("mmneat.", "java.", "Json", "Coercion", ": null;");
+    }
+
+    @Test
+    void emptyCheckpointFile_isCutOff() throws Exception {
+        Files.write(newest(), new byte[0]);
+        assertThat(run(3).message()).contains("checkpoint.json.gz: it is cut off");
     }
 
     @ParameterizedTest
