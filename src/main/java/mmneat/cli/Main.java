@@ -103,7 +103,7 @@ public final class Main implements Callable<Integer> {
      */
     static int execute(CommandLine main, StandardOutput output, String... arguments) {
         main.setOut(new PrintWriter(new OutputStreamWriter(output, StandardOutput.encoding()), true));
-        int code = main.execute(arguments);
+        int code = run(main, arguments);
         main.getOut().flush();
         Optional<IOException> failure = output.failure();
         if (failure.isEmpty()) {
@@ -112,6 +112,19 @@ public final class Main implements Callable<Integer> {
         main.getErr().println("mmneat: standard output cannot be written: " + FileErrors.reason(failure.get()));
         main.getErr().flush();
         return code == ExitCode.OK ? ExitCode.USAGE : code;
+    }
+
+    /** Runs a command; reports in one line that its input, such as a device without an end, exhausted the memory. */
+    private static int run(CommandLine main, String... arguments) {
+        try {
+            return main.execute(arguments);
+        } catch (OutOfMemoryError e) {
+            main.getErr()
+                    .println("mmneat: the memory is exhausted; check the files that the command names, or give Java"
+                            + " more memory with the option -Xmx");
+            main.getErr().flush();
+            return ExitCode.USAGE;
+        }
     }
 
     /** The whole command line; tests set its output and error writers. */

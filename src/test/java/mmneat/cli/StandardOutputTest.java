@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
+import picocli.CommandLine.Command;
 
 /** Commands whose standard output cannot be written. */
 class StandardOutputTest {
@@ -79,6 +80,25 @@ class StandardOutputTest {
     void closedPipe_isNoError(List<String> words) {
         assertThat(execute("Broken pipe", words)).isZero();
         assertThat(errors.toString()).doesNotContain("standard output");
+    }
+
+    @Command(name = "hungry")
+    static final class Hungry implements Runnable {
+        @Override
+        public void run() {
+            throw new OutOfMemoryError("Java heap space");
+        }
+    }
+
+    @Test
+    void exhaustedMemory_isOneLine() {
+        CommandLine line = new CommandLine(new Hungry());
+        line.setErr(new PrintWriter(errors, true));
+        assertThat(Main.execute(line, new StandardOutput(OutputStream.nullOutputStream())))
+                .isEqualTo(2);
+        assertThat(errors.toString().lines())
+                .containsExactly("mmneat: the memory is exhausted; check the files that the command names, or give Java"
+                        + " more memory with the option -Xmx");
     }
 
     @Test

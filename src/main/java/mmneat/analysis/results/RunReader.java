@@ -15,6 +15,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.JsonProblem;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.SymbolicLinks;
@@ -23,6 +25,9 @@ import mmneat.experiment.store.SymbolicLinks;
  * Reads the folder of a run of this program or of the original: the champion's scores, the parameters, the evaluation.
  */
 public final class RunReader {
+
+    /** The rules of the evaluations that experiments are compared by. */
+    private static final String TRAINING = "training";
 
     private static final ObjectMapper JSON = JsonMapper.builder()
             .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
@@ -103,11 +108,15 @@ public final class RunReader {
     }
 
     private static Optional<ChampionEvaluation> evaluation(Path folder) {
-        Path file = folder.resolve(RunLayout.evaluationSummary("training"));
+        Path file = folder.resolve(RunLayout.evaluationSummary(TRAINING));
         if (!Files.exists(file)) {
             return Optional.empty();
         }
         ChampionEvaluation evaluation = json(file, ChampionEvaluation.class, "; remove it and run evaluate again");
+        if (!evaluation.rules().equals(TRAINING)) {
+            throw new UserError(file + ": is damaged (rules cannot be " + PlainText.shown(evaluation.rules())
+                    + "); remove it and run evaluate again");
+        }
         Path champion = folder.resolve(RunLayout.CHAMPION);
         // A run that went on has another champion, of which this says nothing.
         boolean isOfAnother = Files.exists(champion)
@@ -123,9 +132,7 @@ public final class RunReader {
             }
             return value;
         } catch (JacksonException e) {
-            String reason = e.getOriginalMessage().lines().findFirst().orElse("it is no JSON");
-            throw new UserError(
-                    file + ": is damaged (" + reason.replaceAll("^Cannot construct.*problem: ", "") + ")" + remedy, e);
+            throw new UserError(file + ": is damaged (" + JsonProblem.of(e) + ")" + remedy, e);
         } catch (IOException e) {
             throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
         }

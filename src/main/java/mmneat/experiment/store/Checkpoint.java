@@ -5,12 +5,8 @@ import com.fasterxml.jackson.annotation.JsonPropertyOrder;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.DeserializationFeature;
-import com.fasterxml.jackson.databind.JsonMappingException;
 import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.exc.MismatchedInputException;
-import com.fasterxml.jackson.databind.exc.UnrecognizedPropertyException;
-import com.fasterxml.jackson.databind.exc.ValueInstantiationException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.util.Map;
@@ -18,6 +14,7 @@ import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import mmneat.evolution.EvolutionState;
+import mmneat.experiment.JsonProblem;
 import mmneat.experiment.PlainText;
 import mmneat.neat.io.GenotypeJson;
 
@@ -99,39 +96,8 @@ public record Checkpoint(
             }
             return checkpoint;
         } catch (JsonProcessingException e) {
-            String problem = problem(e);
-            throw new IOException("it is no checkpoint of this version of the program: " + PlainText.shown(problem), e);
+            throw new IOException(
+                    "it is no checkpoint of this version of the program: " + PlainText.shown(JsonProblem.of(e)), e);
         }
-    }
-
-    /** Returns what is wrong in the file's terms; the library's own messages name Java classes. */
-    private static String problem(JsonProcessingException e) {
-        if (e.getCause() instanceof NullPointerException) {
-            return "a part of it is null";
-        }
-        if (e instanceof UnrecognizedPropertyException unknown) {
-            return "unknown field '" + unknown.getPropertyName() + "'";
-        }
-        if (e instanceof ValueInstantiationException refused && refused.getCause() != null) {
-            return String.valueOf(refused.getCause().getMessage());
-        }
-        if (e instanceof MismatchedInputException mismatch
-                && e.getOriginalMessage().contains("`")) {
-            return (mismatch.getPath().isEmpty() ? "it" : field(mismatch)) + " has a value of another kind";
-        }
-        return e.getOriginalMessage().lines().findFirst().orElse("it is no JSON");
-    }
-
-    /** Returns the field's place, such as evolution.population[2].id. */
-    private static String field(JsonMappingException e) {
-        StringBuilder place = new StringBuilder();
-        e.getPath().forEach(step -> {
-            if (step.getFieldName() == null) {
-                place.append('[').append(step.getIndex()).append(']');
-            } else {
-                place.append(place.length() == 0 ? "" : ".").append(step.getFieldName());
-            }
-        });
-        return place.toString();
     }
 }

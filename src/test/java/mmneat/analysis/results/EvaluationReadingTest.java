@@ -52,6 +52,9 @@ class EvaluationReadingTest {
             delimiter = '|',
             value = {
                 "\"games\":10|\"games\":0",
+                "\"games\":10|\"games\":10,\"extra\":1",
+                "\"training\"|\"FourMaze\"",
+                "\"training\"|\"x\"",
                 "\"games\":10|\"games\":-3",
                 "\"games\":10|\"games\":2.5",
                 "\"games\":10|\"games\":null",
@@ -89,7 +92,8 @@ class EvaluationReadingTest {
                 .isInstanceOf(UserError.class)
                 .hasMessageStartingWith(file + ": is damaged (")
                 .hasMessageEndingWith("; remove it and run evaluate again")
-                .satisfies(e -> assertThat(e.getMessage().lines()).hasSize(1));
+                .satisfies(e -> assertThat(e.getMessage().lines()).hasSize(1))
+                .satisfies(e -> assertThat(e.getMessage()).doesNotContain("`", "mmneat.", "Feature"));
     }
 
     @ParameterizedTest

@@ -1,0 +1,45 @@
+package mmneat.experiment;
+
+import com.fasterxml.jackson.core.JacksonException;
+import com.fasterxml.jackson.databind.JsonMappingException;
+import com.fasterxml.jackson.databind.exc.MismatchedInputException;
+import com.fasterxml.jackson.databind.exc.UnrecognizedPropertyException;
+import com.fasterxml.jackson.databind.exc.ValueInstantiationException;
+
+/** Turns exceptions about JSON files into readable messages; those of the library name Java classes and its settings. */
+public final class JsonProblem {
+
+    private JsonProblem() {}
+
+    /** Returns what is wrong in the file, on one line. */
+    public static String of(JacksonException e) {
+        if (e.getCause() instanceof NullPointerException) {
+            return "a part of it is null";
+        }
+        if (e instanceof UnrecognizedPropertyException unknown) {
+            return "unknown field '" + unknown.getPropertyName() + "'";
+        }
+        if (e instanceof ValueInstantiationException refused && refused.getCause() != null) {
+            return String.valueOf(refused.getCause().getMessage());
+        }
+        String message = e.getOriginalMessage().lines().findFirst().orElse("it is no JSON");
+        if (e instanceof MismatchedInputException mismatch && message.contains("`")) {
+            return (mismatch.getPath().isEmpty() ? "it" : field(mismatch)) + " has a value of another kind";
+        }
+        // The parser's message continues with its own settings.
+        return message.replaceFirst(": enable `.*", "");
+    }
+
+    /** Returns the field's place, such as evolution.population[2].id. */
+    private static String field(JsonMappingException e) {
+        StringBuilder place = new StringBuilder();
+        e.getPath().forEach(step -> {
+            if (step.getFieldName() == null) {
+                place.append('[').append(step.getIndex()).append(']');
+            } else {
+                place.append(place.length() == 0 ? "" : ".").append(step.getFieldName());
+            }
+        });
+        return place.toString();
+    }
+}
