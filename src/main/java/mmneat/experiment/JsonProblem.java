@@ -6,7 +6,7 @@ import com.fasterxml.jackson.databind.exc.MismatchedInputException;
 import com.fasterxml.jackson.databind.exc.UnrecognizedPropertyException;
 import com.fasterxml.jackson.databind.exc.ValueInstantiationException;
 
-/** Turns exceptions about JSON files into readable messages; those of the library name Java classes and its settings. */
+/** Turns exceptions about JSON files into readable messages; the library's own name Java classes and settings. */
 public final class JsonProblem {
 
     private JsonProblem() {}

@@ -17,6 +17,10 @@ public final class PublishedTask {
     private static final String GAME_CLASS = "MsPacManTask";
     private static final String ISOLATED_CLASS = "MsPacManPillsVsEdibleFromCornersMultitask";
 
+    /** Parameters of {@link #NOT_OF_THE_EVOLUTION} groups that the results depend on nevertheless. */
+    private static final Set<String> EVOLUTION_IN_OTHER_GROUPS =
+            Set.of("mu", "maxGens", "crowding", "keepScores", "stopAt");
+
     /** Groups of parameters that do not change an evolution. */
     private static final Set<String> NOT_OF_THE_EVOLUTION =
             Set.of("Everyday", "Run control", "Post-evaluation and display");
@@ -130,7 +134,7 @@ public final class PublishedTask {
             String name = parameter.name();
             String value = parameters.get(name);
             boolean isCompared = parameter.support() == Parameter.Support.YES
-                    && (!NOT_OF_THE_EVOLUTION.contains(parameter.group()) || name.equals("maxGens"))
+                    && (!NOT_OF_THE_EVOLUTION.contains(parameter.group()) || EVOLUTION_IN_OTHER_GROUPS.contains(name))
                     && !name.equals("task")
                     && !name.equals(Tasks.GHOST_LOCATIONS);
             if (isCompared && value != null && !value.equals(published.text(name))) {

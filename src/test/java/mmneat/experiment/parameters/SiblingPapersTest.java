@@ -108,4 +108,13 @@ class SiblingPapersTest {
                     .isEqualTo(method);
         }
     }
+
+    @Test
+    void sizeOfTheRunAndSelection_areDifferences() {
+        assertThat(PublishedTask.differences(
+                        TaskVersion.BLENDED,
+                        "2M",
+                        Map.of("mu", "50", "maxGens", "200", "trials", "3", "crowding", "front", "base", "elsewhere")))
+                .containsOnly(Map.entry("mu", "100"), Map.entry("trials", "10"), Map.entry("crowding", "population"));
+    }
 }
