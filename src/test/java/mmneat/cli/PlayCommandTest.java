@@ -155,7 +155,9 @@ class PlayCommandTest extends CommandTest {
                         + " static int games;"
                         + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) {"
                         + "   if (games++ == 0) { throw new IllegalStateException(\"no\\nidea\\u001b[31m\"); }"
-                        + "   throw new IllegalStateException() { public String toString() {"
+                        + "   throw new IllegalStateException() {"
+                        + "     public String getMessage() { throw new IllegalStateException(); }"
+                        + "     public String toString() {"
                         + "     throw new IllegalStateException(); } }; } }");
         assertThat(execute("play", "classpath=" + classes, "pacman=my.Entry", "games=2", "onFailure=score0"))
                 .isZero();

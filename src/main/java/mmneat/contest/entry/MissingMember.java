@@ -21,6 +21,10 @@ public final class MissingMember {
     }
 
     private static boolean isOfTheSimulator(Throwable cause) {
+        if (!(cause instanceof LinkageError)) {
+            // The message of an exception of the entry's own class is its code, which may fail.
+            return false;
+        }
         String missing = String.valueOf(cause.getMessage()).replace('/', '.');
         if (cause instanceof NoClassDefFoundError) {
             return missing.startsWith("pacman.") && !missing.startsWith("pacman.entries.");
