@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -23,10 +22,6 @@ import org.junit.jupiter.api.Test;
 class PlainLanguageTest {
 
     private static final Path PROJECT = Path.of(System.getProperty("basedir", "."));
-
-    /** Packages whose comments still have to be brought into this form. */
-    private static final Set<String> PACKAGES_NOT_YET =
-            Set.of("mmneat/mspacman/sensors", "mmneat/neat/network", "pacman/maze");
 
     private static final int COLUMNS = 120;
     private static final int WORDS = 40;
@@ -173,8 +168,6 @@ class PlainLanguageTest {
 
     private static List<Path> sources() throws IOException {
         List<Path> sources = new ArrayList<>(files("src", ".java"));
-        sources.removeIf(file -> PACKAGES_NOT_YET.stream()
-                .anyMatch(name -> file.toString().replace('\\', '/').contains("/java/" + name + "/")));
         assertThat(sources).isNotEmpty();
         return sources;
     }

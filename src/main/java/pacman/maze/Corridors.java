@@ -5,9 +5,9 @@ import java.util.Arrays;
 /**
  * The ways from each node along its corridor to the next junctions. Immutable.
  *
- * <p>A node between junctions has two legs, one per direction, in the order up, right, down, left of their first moves. A
- * junction has one leg of length 0 that ends in itself. The lair has none. A leg's path lists the nodes after the start, the
- * junction last.
+ * <p>A node between junctions has two legs, one per direction, in the order up, right, down, left of their first moves.
+ * A junction has one leg of length 0 that ends in itself. The lair has none. A leg's path lists the nodes after the
+ * start, the junction last.
  *
  * <p>Source: docs/specification/simulator.md, section 4.3 (legs).
  */
@@ -25,8 +25,8 @@ public final class Corridors {
     private final short[] position;
 
     /*
-     * Legs, index 2 node + leg: the junction reached, the number of steps, the first and the last move, and whether the leg
-     * leads towards higher positions in the corridor.
+     * Legs, index 2 node + leg: the junction reached, the number of steps, the first and the last move, and whether the
+     * leg leads towards higher positions in the corridor.
      */
     private final short[] junction;
     private final short[] length;
@@ -195,7 +195,10 @@ public final class Corridors {
         return target == junction(node, leg) ? length(node, leg) : -1;
     }
 
-    /** Writes the first {@code count} nodes of a leg's path to {@code out} from {@code from}; returns the place after them. */
+    /**
+     * Writes the first {@code count} nodes of a leg's path to {@code out} from {@code from}; returns the place after
+     * them.
+     */
     int write(int node, int leg, int count, int[] out, int from) {
         int next = from;
         short[] own = count > 0 ? nodes[corridor[node]] : null;

@@ -8,9 +8,9 @@ import java.util.regex.Pattern;
 /**
  * A maze as a person draws it: 29 rows of 28 tiles, and the corridors that do not lie on the tile grid.
  *
- * <p>A tile is {@value #TILE} pixels wide and high and its node lies at pixel (4 column, 4 row), columns counted from 0 and
- * rows from 1. Two neighbouring corridor tiles are joined by the three pixels between them. {@code docs/mazes.md} describes
- * the text format. What is wrong inside one line is found here, what is wrong with the maze as a whole by
+ * <p>A tile is {@value #TILE} pixels wide and high and its node lies at pixel (4 column, 4 row), columns counted from 0
+ * and rows from 1. Two neighbouring corridor tiles are joined by the three pixels between them. {@code docs/mazes.md}
+ * describes the text format. What is wrong inside one line is found here, what is wrong with the maze as a whole by
  * {@link MazeGraph}.
  *
  * <p>Source: docs/specification/simulator.md, section 1.

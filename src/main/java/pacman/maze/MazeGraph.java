@@ -3,8 +3,8 @@ package pacman.maze;
 import java.util.Arrays;
 
 /**
- * The graph of a maze: one node per pixel of the corridors' centre lines, one step long each, and the lair as the last node,
- * which no path reaches. Immutable.
+ * The graph of a maze: one node per pixel of the corridors' centre lines, one step long each, and the lair as the last
+ * node, which no path reaches. Immutable.
  *
  * <p>Nodes are numbered by y, then x. Directions are 0 up, 1 right, 2 down, 3 left. A
  * corridor pixel on the left border leads to the one on the right border in the same row: a tunnel.
@@ -25,7 +25,9 @@ public final class MazeGraph {
 
     private final String name;
     private final int nodeCount;
-    /** Node reached from a node by a move, -1 if none; index {@value #MOVES} node + move. Move 4, none, leads nowhere. */
+    /**
+     * Node reached from a node by a move, -1 if none; index {@value #MOVES} node + move. Move 4, none, leads nowhere.
+     */
     private final short[] neighbours;
     /** Bit set of the open directions of a node. */
     private final byte[] openDirections;

@@ -3,11 +3,11 @@ package pacman.maze;
 import java.util.Arrays;
 
 /**
- * The paths that the simulator gives, which are not always the shortest: corridor, path between two junctions, corridor.
- * Immutable.
+ * The paths that the simulator gives, which are not always the shortest: corridor, path between two junctions,
+ * corridor. Immutable.
  *
- * <p>A path lists the nodes after the start, the target last; its length is its number of steps; it is empty if start and
- * target are the same. Directions are 0 up, 1 right, 2 down, 3 left; a last move may also be 4, none.
+ * <p>A path lists the nodes after the start, the target last; its length is its number of steps; it is empty if start
+ * and target are the same. Directions are 0 up, 1 right, 2 down, 3 left; a last move may also be 4, none.
  *
  * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4.
  */
@@ -17,15 +17,18 @@ public final class MazePaths {
     private static final int[] EMPTY = {};
 
     /*
-     * A directed path from a corridor node is its leg to a junction J, entered by a move, and then what leads on from there.
-     * So only the rows of (J, entering move) are stored, J times 5 times nodes shorts, about half a megabyte per maze, and
-     * a length is one or two look-ups and a sum.
+     * A directed path from a corridor node is its leg to a junction J, entered by a move, and then what leads on from
+     * there. So only the rows of (J, entering move) are stored, J times 5 times nodes shorts, about half a megabyte per
+     * maze, and a length is one or two look-ups and a sum.
      */
     private final MazeGraph graph;
     private final MazeDistances distances;
     private final Corridors corridors;
     private final int junctions;
-    /** Where the path from junction J by move m to junction K starts in {@link #pathNodes}; index (4 J + m) junctions + K. */
+    /**
+     * Where the path from junction J by move m to junction K starts in {@link #pathNodes}; index (4 J + m) junctions +
+     * K.
+     */
     private final int[] pathStart;
 
     private final short[] pathNodes;
@@ -102,8 +105,8 @@ public final class MazePaths {
     }
 
     /**
-     * How the directed path goes on from a junction entered by a move: the target's leg plus 2 times (1 + the move at the
-     * junction), or plus 0 if the target's corridor starts right there.
+     * How the directed path goes on from a junction entered by a move: the target's leg plus 2 times (1 + the move at
+     * the junction), or plus 0 if the target's corridor starts right there.
      */
     private int choose(int junction, int arrival, int target) {
         int chosen = -1;
@@ -206,7 +209,9 @@ public final class MazePaths {
         return onwards[(5 * junction + arrival) * graph.nodeCount() + to];
     }
 
-    /** The leg by which a directed path leaves a node between junctions: not back; of both, the shorter, first on ties. */
+    /**
+     * The leg by which a directed path leaves a node between junctions: not back; of both, the shorter, first on ties.
+     */
     public int directedLeg(int from, int lastMove) {
         boolean first = !isBack(corridors.firstMove(from, 0), lastMove);
         boolean second = !isBack(corridors.firstMove(from, 1), lastMove);

@@ -3,7 +3,7 @@ package pacman.maze;
 import java.util.Arrays;
 
 /**
- * Where a step leads, by pose. A pose is a node together with the move that led there, in one number. It
+ * The pose that a step leads to, by pose. A pose is a node together with the move that led there, in one number. It
  * determines where going straight on leads. Immutable.
  *
  * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none.

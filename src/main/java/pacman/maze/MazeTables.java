@@ -11,8 +11,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 
 /**
- * A maze and everything that is known about it in advance. Immutable, shared by any number of games and threads; the larger
- * tables are made when they are first asked for.
+ * A maze and everything that is known about it in advance. Immutable, shared by any number of games and threads; the
+ * larger tables are made when they are first asked for.
  */
 public final class MazeTables {
 
@@ -20,8 +20,8 @@ public final class MazeTables {
     private final MazePoses poses;
 
     /*
-     * Each is made once under the lock. The objects are immutable with final fields, or written before they are published
-     * through the volatile field.
+     * Each is made once under the lock. The objects are immutable with final fields, or written before they are
+     * published through the volatile field.
      */
     private volatile MazeDistances distances;
     private volatile MazePaths paths;

@@ -3,7 +3,9 @@ package pacman.maze;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
-/** The mazes of a game in the order of its levels; after the last the first follows again. Immutable; mazes load lazily. */
+/**
+ * The mazes of a game in the order of its levels; after the last the first follows again. Immutable; mazes load lazily.
+ */
 public final class Mazes {
 
     private static final String[] LETTERS = {"a", "b", "c", "d"};

@@ -5,10 +5,10 @@ import java.util.Arrays;
 /**
  * The original's A* search for a path without turning back.
  *
- * <p>Its record of how a node was reached is kept per node, not per node and direction, so that the path found is not always
- * the shortest; and the order in which equal candidates leave the open list decides between equal paths. Both are part of
- * the simulator's behaviour, therefore the open list is the binary heap of {@link java.util.PriorityQueue}, step by step,
- * over node numbers.
+ * <p>Its record of how a node was reached is kept per node, not per node and direction, so that the path found is not
+ * always the shortest; and the order in which equal candidates leave the open list decides between equal paths. Both
+ * are part of the simulator's behaviour, therefore the open list is the binary heap of {@link java.util.PriorityQueue},
+ * step by step, over node numbers.
  *
  * <p>Source: docs/specification/simulator.md, section 4.3. One instance serves one thread.
  */
@@ -54,8 +54,8 @@ public final class NonReversingSearch {
     /**
      * The path from a start, reached by a direction, to a target: both included.
      *
-     * <p>In a maze where two parts hang together by a single corridor the search can fail; then the path is an exact one. If there
-     * is none, the target alone is the answer.
+     * <p>In a maze where two parts hang together by a single corridor the search can fail; then the path is an exact
+     * one. If there is none, the target alone is the answer.
      */
     public int[] path(int start, int target, int startArrival, Estimate distance) {
         Arrays.fill(status, FRESH);

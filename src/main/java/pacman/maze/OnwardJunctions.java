@@ -9,15 +9,16 @@ package pacman.maze;
 public final class OnwardJunctions {
 
     /*
-     * From the next junction on everything depends only on the row, that is, on this junction and the move that enters it.
-     * A row has four lanes, one per move at its junction: the lane's target is the junction that the move leads to. The move
-     * that leads back is none to go on by; its lane stands for the row's own junction instead. So one long holds what is to be
-     * known of all targets, 16 bits each, and one addition and one mask compare all of them (flags, at the top of each lane):
+     * From the next junction on everything depends only on the row, that is, on this junction and the move that enters
+     * it. A row has four lanes, one per move at its junction: the lane's target is the junction that the move leads to.
+     * The move that leads back is none to go on by; its lane stands for the row's own junction instead. So one long
+     * holds what is to be known of all targets, 16 bits each, and one addition and one mask compare all of them (flags,
+     * at the top of each lane):
      *
      *   arrivals   who needs how long: for a row of Ms. Pac-Man's and one of a ghost's, the ghost's steps less hers;
      *   lengths    her steps from the row's junction to the target;
-     *   onPaths    for a row and a segment: the lanes whose path passes the corridor or junction, and those whose target it is;
-     *   within     for both rows: the lanes where the ghost's path to the target lies on hers.
+     *   onPaths    for a row and a segment: the lanes whose path passes the corridor or junction, and those whose
+     *   target it is; within     for both rows: the lanes where the ghost's path to the target lies on hers.
      */
 
     /** The top bit of each lane. */
@@ -74,12 +75,14 @@ public final class OnwardJunctions {
     private final byte[] within;
 
     /**
-     * Bits of lanes whose path passes segment s, and from bit 4 on of those whose target it is, at index segments r + s. A path
-     * from junction to junction has all nodes of a corridor or none.
+     * Bits of lanes whose path passes segment s, and from bit 4 on of those whose target it is, at index segments r +
+     * s. A path from junction to junction has all nodes of a corridor or none.
      */
     private final byte[] onPaths;
 
-    /** Moves, as bits, that lead on from the next junction and not back, for node v and direction d at index 4 v + d. */
+    /**
+     * Moves, as bits, that lead on from the next junction and not back, for node v and direction d at index 4 v + d.
+     */
     private final byte[] moves;
 
     /** The onward paths of a maze. */
@@ -241,7 +244,8 @@ public final class OnwardJunctions {
     }
 
     /**
-     * Flags of the lanes whose target is reached from another row's junction in at most so many steps more than from the row's.
+     * Flags of the lanes whose target is reached from another row's junction in at most so many steps more than from
+     * the row's.
      *
      * @param more may be negative
      */

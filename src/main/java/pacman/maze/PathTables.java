@@ -5,19 +5,20 @@ import java.util.Arrays;
 /**
  * Lengths and nodes of the simulator's paths in one maze, looked up instead of searched.
  *
- * <p>A path lists the nodes after the start, the target last; its length is its number of steps. The simulator's paths are
- * not exact shortest paths; these are the same, tie for tie.
+ * <p>A path lists the nodes after the start, the target last; its length is its number of steps. The simulator's paths
+ * are not exact shortest paths; these are the same, tie for tie.
  *
  * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4; docs/specification/mspacman-task.md, section 4.3.
  */
 public final class PathTables {
 
     /*
-     * A path goes along a route (Routes) to the junction at the end of its corridor; what follows there depends on the route's row
-     * alone: for every row and target there are the length of the path and which of the target's neighbours lie on it. About 160
-     * rows of 1300 chars, 0.4 MB a maze, instead of 13 MB for all pairs.
+     * A path goes along a route (Routes) to the junction at the end of its corridor; what follows there depends on the
+     * route's row alone: for every row and target there are the length of the path and which of the target's neighbours
+     * lie on it. About 160 rows of 1300 chars, 0.4 MB a maze, instead of 13 MB for all pairs.
      *
-     * A target in the corridor ahead is its distance in positions; any other is the steps to the junction plus the row's entry.
+     * A target in the corridor ahead is its distance in positions; any other is the steps to the junction plus the
+     * row's entry.
      */
 
     /** A path passes every node at most so often: leg, path between junctions, leg. */
@@ -44,8 +45,9 @@ public final class PathTables {
     private final char[] rows;
 
     /**
-     * Length of the path from row r's junction to junction k, by its number, at index junctions r + k; {@link #OWN_JUNCTION} for
-     * the row's own: what is beside it can be exceptional. Small enough for the first-level cache, where the rows are not.
+     * Length of the path from row r's junction to junction k, by its number, at index junctions r + k; {@link
+     * #OWN_JUNCTION} for the row's own: what is beside it can be exceptional. Small enough for the first-level cache,
+     * where the rows are not.
      */
     private final char[] toJunctions;
 
@@ -53,9 +55,9 @@ public final class PathTables {
     private final char[] undirected;
 
     /**
-     * Number of the junction at each end of node v's corridor, in the lower {@value #STEPS_BITS} bits the steps to it, and
-     * between them a bit for the direction in which it is; from index 2 v on. The direction is left out where paths may enter
-     * other neighbours than that.
+     * Number of the junction at each end of node v's corridor, in the lower {@value #STEPS_BITS} bits the steps to it,
+     * and between them a bit for the direction in which it is; from index 2 v on. The direction is left out where paths
+     * may enter other neighbours than that.
      */
     private final int[] legs;
 

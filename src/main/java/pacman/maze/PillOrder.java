@@ -8,9 +8,9 @@ package pacman.maze;
 public final class PillOrder {
 
     /*
-     * For each node all pills and power pills are sorted by distance, once: the nearest one present is the first in that row
-     * that has not been eaten. Late in a level most of a row is eaten; then the few that are left are compared by
-     * distance instead. Two bytes per entry, 0.6 MB per maze.
+     * For each node all pills and power pills are sorted by distance, once: the nearest one present is the first in
+     * that row that has not been eaten. Late in a level most of a row is eaten; then the few that are left are compared
+     * by distance instead. Two bytes per entry, 0.6 MB per maze.
      */
 
     /** With fewer pills than this they are compared one by one. */

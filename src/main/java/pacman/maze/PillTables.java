@@ -7,20 +7,27 @@ import java.util.List;
 /**
  * The order in which the pills of one kind are met from a node in a direction.
  *
- * <p>The nearest pill in a direction is the first active one in the corridor ahead, else the first active one in the order of
- * the row that continues from the junction at its end (nearest first, then by pill number, as the simulator prefers them).
+ * <p>The nearest pill in a direction is the first active one in the corridor ahead, else the first active one in the
+ * order of the row that continues from the junction at its end (nearest first, then by pill number, as the simulator
+ * prefers them).
  */
 public final class PillTables {
 
     private final int[] pillNodes;
 
-    /** Pills in the corridor ahead of node v in direction d, nearest first, at index 4 v + d: position in {@link #ahead}. */
+    /**
+     * Pills in the corridor ahead of node v in direction d, nearest first, at index 4 v + d: position in {@link
+     * #ahead}.
+     */
     private final int[] aheadFrom;
 
     /** Steps to a pill ahead in the upper half, its number in the lower half. */
     private final int[] ahead;
 
-    /** Pills in the order of row r, at index pills r + rank: steps from the row's junction, and number, as in {@link #ahead}. */
+    /**
+     * Pills in the order of row r, at index pills r + rank: steps from the row's junction, and number, as in {@link
+     * #ahead}.
+     */
     private final int[] order;
 
     /** Number of the pill on each node, or -1. */

@@ -8,8 +8,9 @@ package pacman.maze;
 public final class Routes {
 
     /*
-     * A path that never turns back follows its corridor to the next junction. What comes after depends only on that junction
-     * and on the move that entered it. So only (junction, entering move) pairs need a table row, about 160 per maze:
+     * A path that never turns back follows its corridor to the next junction. What comes after depends only on that
+     * junction and on the move that entered it. So only (junction, entering move) pairs need a table row, about 160 per
+     * maze:
      *
      *   route  one long: corridor, start position in it, steps to the junction at its end, row to continue with. Routes
      *          exist for every node and direction, and for every node and last move.
@@ -30,7 +31,10 @@ public final class Routes {
     private final Corridors corridors;
     private final int nodes;
 
-    /** Segment of each node in the upper half: its corridor, or a number of its own for a junction; its position in the lower. */
+    /**
+     * Segment of each node in the upper half: its corridor, or a number of its own for a junction; its position in the
+     * lower.
+     */
     private final int[] places;
 
     /** Way of going on from node v in direction d, at index 4 v + d. */
@@ -187,7 +191,10 @@ public final class Routes {
         return continuing[5 * node + lastMove];
     }
 
-    /** The junction at the end of a route's corridor; where it starts if that is a junction and the route has no corridor yet. */
+    /**
+     * The junction at the end of a route's corridor; where it starts if that is a junction and the route has no
+     * corridor yet.
+     */
     public int junction(long route) {
         return rowJunction[row(route)];
     }

@@ -16,11 +16,11 @@ import java.util.Map;
 public final class WalkTables {
 
     /*
-     * Of a walk only the set of pills on it matters: a bit mask. A walk whose pills all lie on another walk is left out. The
-     * greatest number of junctions does not depend on the state at all.
+     * Of a walk only the set of pills on it matters: a bit mask. A walk whose pills all lie on another walk is left
+     * out. The greatest number of junctions does not depend on the state at all.
      *
-     * Walks that start alike meet pills in a few words of the bit set only: those are kept. Walks with more pills come first,
-     * so that the search ends where no walk can have more pills than the best so far.
+     * Walks that start alike meet pills in a few words of the bit set only: those are kept. Walks with more pills come
+     * first, so that the search ends where no walk can have more pills than the best so far.
      */
 
     /** The mazes of the competition have at most a few dozen from one node; a net of corridors could have millions. */

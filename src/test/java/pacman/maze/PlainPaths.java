@@ -34,7 +34,7 @@ final class PlainPaths {
         }
     }
 
-    /** What the search knows of a node. */
+    /** The state of the search at a node. */
     private static final class Known implements Comparable<Known> {
         private final int node;
         private int travelled;

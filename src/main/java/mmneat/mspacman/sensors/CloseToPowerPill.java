@@ -1,7 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * "Close to Power Pill?": 1 if a power pill that is left is fewer than so many steps away, in whatever direction, else 0.
+ * "Close to Power Pill?": 1 if a power pill that is left is fewer than so many steps away, in whatever direction, else
+ * 0.
  *
  * @param closeness in steps
  */

@@ -1,8 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * Edible time of the nth nearest ghost against its distance: (edible time - steps) / longest edible time, limited to [-1, 1]. The
- * edible time of a threat is 0. -1 if there is no such ghost.
+ * Edible time of the nth nearest ghost against its distance: (edible time - steps) / longest edible time, limited to
+ * [-1, 1]. The edible time of a threat is 0. -1 if there is no such ghost.
  *
  * <p>Source: docs/specification/original-options.md, section 3.3, block B.
  *

@@ -1,8 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * A sensor that has only so many values, numbered from 0. Its values and their hyperbolic tangents are kept in tables, so
- * that sensing is one look-up.
+ * A sensor that has only so many values, numbered from 0. Its values and their hyperbolic tangents are kept in tables,
+ * so that sensing is one look-up.
  */
 public interface GradedSensor extends Sensor {
 

@@ -1,7 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * "Nearest Junction Distance": steps in this direction to the nearest junction (rank 0), the next nearest, ..., in (0, 1].
+ * "Nearest Junction Distance": steps in this direction to the nearest junction (rank 0), the next nearest, ..., in (0,
+ * 1].
  *
  * @param rank from 0
  */

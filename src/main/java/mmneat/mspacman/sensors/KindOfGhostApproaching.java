@@ -1,8 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * 1 if the path of the nth nearest ghost of a kind to Ms. Pac-Man, without turning back, comes in from this direction, else 0;
- * 0 if there is no such ghost.
+ * 1 if the path of the nth nearest ghost of a kind to Ms. Pac-Man, without turning back, comes in from this direction,
+ * else 0; 0 if there is no such ghost.
  *
  * <p>Source: docs/specification/original-options.md, section 3.3, block C.
  *

@@ -1,8 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * 1 if the path to the nth nearest ghost of a kind has no junction, nor does the ghost stand on one, else 0; 0 if there is no
- * such ghost. The original's label does not name the kind.
+ * 1 if the path to the nth nearest ghost of a kind has no junction, nor does the ghost stand on one, else 0; 0 if there
+ * is no such ghost. The original's label does not name the kind.
  *
  * <p>Source: docs/specification/original-options.md, sections 3.3, block C, and 3.4.
  *

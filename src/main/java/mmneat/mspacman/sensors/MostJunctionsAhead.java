@@ -1,8 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * "Max Junctions in 30 Steps": the most junctions on a walk of so many steps that starts in this direction and never turns
- * back, divided by a seventh of the steps (5 for 30 steps). Range [0, 1], rarely more.
+ * "Max Junctions in 30 Steps": the most junctions on a walk of so many steps that starts in this direction and never
+ * turns back, divided by a seventh of the steps (5 for 30 steps). Range [0, 1], rarely more.
  *
  * @param steps length of the walks
  */

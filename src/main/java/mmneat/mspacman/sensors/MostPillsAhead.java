@@ -1,9 +1,9 @@
 package mmneat.mspacman.sensors;
 
 /**
- * "Max Pills in 30 Steps": the most pills on a walk of so many steps that starts in this direction and never turns back,
- * divided by the number of pills that a straight corridor of that length holds (8 for 30 steps); power pills do not count.
- * Range [0, 1], rarely more.
+ * "Max Pills in 30 Steps": the most pills on a walk of so many steps that starts in this direction and never turns
+ * back, divided by the number of pills that a straight corridor of that length holds (8 for 30 steps); power pills do
+ * not count. Range [0, 1], rarely more.
  *
  * @param steps length of the walks
  */

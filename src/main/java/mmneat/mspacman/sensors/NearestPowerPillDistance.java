@@ -1,6 +1,9 @@
 package mmneat.mspacman.sensors;
 
-/** "Nearest Power Pill Distance": steps in this direction to the nearest power pill that is left, in [0, 1]; 1 if none is. */
+/**
+ * "Nearest Power Pill Distance": steps in this direction to the nearest power pill that is left, in [0, 1]; 1 if none
+ * is.
+ */
 record NearestPowerPillDistance() implements DistanceSensor {
 
     @Override

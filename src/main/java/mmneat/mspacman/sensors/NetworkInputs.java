@@ -9,8 +9,8 @@ import pacman.maze.MazeTables;
 /**
  * Reads games with the sensors of a suite: gives the inputs of a network for each direction. One thread uses it.
  *
- * <p>Per time step the state is taken in once ({@link #observe}), then every open direction is sensed: either {@link #sense}
- * for the activations of input neurons, or {@link #inputs} for the values themselves.
+ * <p>Per time step the state is taken in once ({@link #observe}), then every open direction is sensed: either {@link
+ * #sense} for the activations of input neurons, or {@link #inputs} for the values themselves.
  */
 public final class NetworkInputs {
 
@@ -149,8 +149,8 @@ public final class NetworkInputs {
     }
 
     /**
-     * Hyperbolic tangents of what the sensors say about the directions that were sensed since the state was taken in; those of
-     * other directions are left over from before.
+     * Hyperbolic tangents of what the sensors say about the directions that were sensed since the state was taken in;
+     * those of other directions are left over from before.
      *
      * @return input i for direction d at index d n + i, where n is the number of sensors; valid until the next step
      */

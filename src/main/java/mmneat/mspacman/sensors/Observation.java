@@ -7,19 +7,19 @@ import pacman.maze.PillTables;
 import pacman.maze.Routes;
 
 /**
- * What sensors see: the state of a game in one time step, looked at in one direction from Ms. Pac-Man.
+ * The state of a game in one time step as sensors see it, in one direction from Ms.&nbsp;Pac-Man.
  *
- * <p>Directions are numbered UP 0, RIGHT 1, DOWN 2, LEFT 3; ghosts Blinky 0, Pinky 1, Inky 2, Sue 3. Distances are in steps,
- * times in steps. All paths are the simulator's (docs/specification/simulator.md, sections 4.3 and 4.4). One thread
- * uses an observation.
+ * <p>Directions are numbered UP 0, RIGHT 1, DOWN 2, LEFT 3; ghosts Blinky 0, Pinky 1, Inky 2, Sue 3. Distances are in
+ * steps, times in steps. All paths are the simulator's (docs/specification/simulator.md, sections 4.3 and 4.4). One
+ * thread uses an observation.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4.
  */
 public final class Observation {
 
     /*
-     * What depends on the state alone is found once per time step (observe), what depends on the direction once per direction
-     * (face); a sensor then only combines. Nothing is allocated after the first step in a maze.
+     * What depends on the state alone is found once per time step (observe), what depends on the direction once per
+     * direction (face); a sensor then only combines. Nothing is allocated after the first step in a maze.
      */
 
     /** Number of ghosts. */
@@ -71,7 +71,9 @@ public final class Observation {
     private int least;
     private final int[] ghostDistance = new int[GHOSTS];
 
-    /** Steps to each ghost that is in the corridor ahead, 0 for one on her node in a straight corridor; else below 0. */
+    /**
+     * Steps to each ghost that is in the corridor ahead, 0 for one on her node in a straight corridor; else below 0.
+     */
     private final int[] stepsAhead = new int[GHOSTS];
 
     /** Distance and number of each ghost outside the lair, nearest first. */
@@ -226,9 +228,9 @@ public final class Observation {
     }
 
     /*
-     * By distance, where no distance counts as larger than any; ghosts at the same distance in the order of their numbers, those
-     * in the lair last. Five comparisons sort four keys; as minimum and maximum they need no branches, which
-     * the processor could not predict.
+     * By distance, where no distance counts as larger than any; ghosts at the same distance in the order of their
+     * numbers, those in the lair last. Five comparisons sort four keys; as minimum and maximum they need no branches,
+     * which the processor could not predict.
      */
     private void order() {
         int a = Math.min(orderKeys[0], orderKeys[1]);
@@ -284,7 +286,9 @@ public final class Observation {
         return harmless[ghost];
     }
 
-    /** Whether a ghost outside the lair takes the shortest path to Ms. Pac-Man; both lengths as the simulator has them. */
+    /**
+     * Whether a ghost outside the lair takes the shortest path to Ms. Pac-Man; both lengths as the simulator has them.
+     */
     boolean headsForPacMan(int ghost) {
         if ((headingKnown >> ghost & 1) == 0) {
             headingKnown |= 1 << ghost;
@@ -514,8 +518,8 @@ public final class Observation {
     }
 
     /**
-     * What is so of a ghost outside the lair: bit 0 approaching, bit 1 trapped, bit 2 edible. By arithmetic: as branches they
-     * could not be predicted.
+     * What is so of a ghost outside the lair: bit 0 approaching, bit 1 trapped, bit 2 edible. By arithmetic: as
+     * branches they could not be predicted.
      */
     int flags(int ghost) {
         return neighboursPassed[ghost] >> direction & 1
@@ -523,7 +527,9 @@ public final class Observation {
                 | -edibleTime[ghost] >>> 29 & 4;
     }
 
-    /** Whether no junction lies between Ms. Pac-Man and a ghost outside the lair in this direction, nor under the ghost. */
+    /**
+     * Whether no junction lies between Ms. Pac-Man and a ghost outside the lair in this direction, nor under the ghost.
+     */
     public boolean isTrapped(int ghost) {
         return stepsAhead[ghost] >= least;
     }
@@ -544,8 +550,8 @@ public final class Observation {
     }
 
     /**
-     * Number of ways on from the next junction whose own next junctions can be reached safely; 0 if already the next junction
-     * cannot.
+     * Number of ways on from the next junction whose own next junctions can be reached safely; 0 if already the next
+     * junction cannot.
      */
     public int safeOptionsAfterJunction() {
         return safety.options();

@@ -1,7 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * "Proportion Edible Time": longest edible time of any ghost / edible time of the first level, in [0, 1]; 0 if none is edible.
+ * "Proportion Edible Time": longest edible time of any ghost / edible time of the first level, in [0, 1]; 0 if none is
+ * edible.
  *
  * @param longest edible time of the first level
  */

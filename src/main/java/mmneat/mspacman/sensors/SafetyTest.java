@@ -12,13 +12,14 @@ import pacman.maze.Routes;
 final class SafetyTest {
 
     /*
-     * Targets are the next junction and those beyond it, four at most: the lanes of OnwardJunctions. Each rule is asked once
-     * per ghost, for all targets together.
+     * Targets are the next junction and those beyond it, four at most: the lanes of OnwardJunctions. Each rule is asked
+     * once per ghost, for all targets together.
      *
-     * Her path to a target is her corridor, the next junction, and an onward path. A ghost on it that is in a corridor has
-     * the whole rest of that corridor on it, too. So the ghost's own path to the target stays on hers if and only if it
-     * stays on the onward path from the end of its corridor on, which is looked up. That holds unless the onward path comes
-     * by her own node. For such targets, and for the last pill as target, paths are written out and compared node by node.
+     * Her path to a target is her corridor, the next junction, and an onward path. A ghost on it that is in a corridor
+     * has the whole rest of that corridor on it, too. So the ghost's own path to the target stays on hers if and only
+     * if it stays on the onward path from the end of its corridor on, which is looked up. That holds unless the onward
+     * path comes by her own node. For such targets, and for the last pill as target, paths are written out and compared
+     * node by node.
      */
 
     private static final int MEETING_DISTANCE = 2;
@@ -44,8 +45,8 @@ final class SafetyTest {
     }
 
     /**
-     * Number of moves at the next junction that lead safely to another junction than where she comes from; 0 if the next
-     * junction itself is not safe.
+     * Number of moves at the next junction that lead safely to another junction than where she comes from; 0 if the
+     * next junction itself is not safe.
      */
     int options() {
         tables = observation.tables();

@@ -1,7 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * One input of the network: a number that says something about the game, for one direction in which Ms. Pac-Man might go.
+ * One input of the network: a number that says something about the game, for one direction in which Ms. Pac-Man might
+ * go.
  *
  * <p>To add a sensor of one's own, write a class that implements this interface and has a public constructor without
  * arguments; docs/sensors.md shows how. A sensor keeps no state: the same observation always gives the same value.
@@ -12,7 +13,8 @@ public interface Sensor {
     String label();
 
     /**
-     * Whether the value depends on the direction. Other sensors are asked once per time step instead of once per direction.
+     * Whether the value depends on the direction. Other sensors are asked once per time step instead of once per
+     * direction.
      */
     default boolean isDirectional() {
         return true;

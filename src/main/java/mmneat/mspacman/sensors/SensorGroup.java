@@ -10,7 +10,10 @@ public enum SensorGroup {
     NUMBERED_GHOSTS,
     /** Distance, and more, of the nth nearest ghost of either kind ({@code specificGhostProximityOrder}). */
     NEAREST_GHOSTS,
-    /** Distance, and more, of the nth nearest threat and of the nth nearest edible ghost ({@code specificGhostEdibleThreatSplit}). */
+    /**
+     * Distance, and more, of the nth nearest threat and of the nth nearest edible ghost ({@code
+     * specificGhostEdibleThreatSplit}).
+     */
     NEAREST_OF_EACH_KIND,
     /** Whether a ghost approaches, in all three groups of ghosts ({@code incoming}). */
     APPROACHING,
@@ -19,11 +22,14 @@ public enum SensorGroup {
     /** Edible time against distance of the nth nearest ghost; needs {@link #NEAREST_GHOSTS} ({@code eTimeVsGDis}). */
     TIME_VERSUS_DISTANCE,
     /**
-     * Whether the nth nearest ghost is edible; needs {@link #NEAREST_GHOSTS}. Sensed where ghosts are not imprisoned while others
-     * are edible ({@code imprisonedWhileEdible}).
+     * Whether the nth nearest ghost is edible; needs {@link #NEAREST_GHOSTS}. Sensed where ghosts are not imprisoned
+     * while others are edible ({@code imprisonedWhileEdible}).
      */
     EDIBLE,
-    /** Proportions of edible ghosts and of edible time; sensed unless ghosts stay edible for ever ({@code infiniteEdibleTime}). */
+    /**
+     * Proportions of edible ghosts and of edible time; sensed unless ghosts stay edible for ever ({@code
+     * infiniteEdibleTime}).
+     */
     EDIBLE_PROPORTIONS,
     /** Options from the next junction ({@code highLevel}). */
     OPTIONS_AFTER_JUNCTION

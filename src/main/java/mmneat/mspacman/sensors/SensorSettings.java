@@ -6,10 +6,11 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The choice of sensors of a network. Immutable; {@link #blended()} and {@link #imprisoned()} are the published choices.
+ * The choice of sensors of a network. Immutable; {@link #blended()} and {@link #imprisoned()} are the published
+ * choices.
  *
- * <p>Source: docs/specification/mspacman-task.md, section 4.1, and docs/specification/original-options.md, section 3. The names
- * are those of the parameters.
+ * <p>Source: docs/specification/mspacman-task.md, section 4.1, and docs/specification/original-options.md, section 3.
+ * The names are those of the parameters.
  *
  * @param groups the groups of sensors that are there
  * @param junctionsToSense how many of the nearest junctions' distances are sensed, at least 1
@@ -63,8 +64,8 @@ public record SensorSettings(
     }
 
     /**
-     * The 38 sensors of the published experiments with separate sensors for threats and for edible ghosts, the same in all versions
-     * of the task. Source: docs/specification/original-options.md, section 1.
+     * The 38 sensors of the published experiments with separate sensors for threats and for edible ghosts, the same in
+     * all versions of the task. Source: docs/specification/original-options.md, section 1.
      */
     public static SensorSettings split() {
         return imprisoned().with(SensorGroup.NEAREST_OF_EACH_KIND).without(SensorGroup.NEAREST_GHOSTS);

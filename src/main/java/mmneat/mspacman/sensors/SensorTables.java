@@ -9,7 +9,7 @@ import pacman.maze.PillTables;
 import pacman.maze.Routes;
 import pacman.maze.WalkTables;
 
-/** What sensors look up about one maze. Immutable; may be shared by games and threads. */
+/** The tables of one maze that sensors use. Immutable; games and threads may share them. */
 final class SensorTables {
 
     final MazeGraph graph;

@@ -1,8 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * 1 if the path of a given ghost to Ms. Pac-Man, without turning back, comes in from this direction, else 0; 0 while it is in the
- * lair.
+ * 1 if the path of a given ghost to Ms. Pac-Man, without turning back, comes in from this direction, else 0; 0 while it
+ * is in the lair.
  *
  * <p>Source: docs/specification/original-options.md, section 3.3, block A.
  *

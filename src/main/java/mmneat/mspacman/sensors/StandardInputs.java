@@ -8,8 +8,8 @@ import java.util.function.IntToDoubleFunction;
 final class StandardInputs {
 
     /*
-     * Asking two dozen sensors one by one costs more than most of them have to do. Here they are written out in the order of
-     * the inputs, with the same tables of tangents; a test holds both forms together.
+     * Asking two dozen sensors one by one costs more than most of them have to do. Here they are written out in the
+     * order of the inputs, with the same tables of tangents; a test holds both forms together.
      */
 
     private final boolean nearest;
@@ -41,7 +41,9 @@ final class StandardInputs {
         optionsInput = suite.sensors().indexOf(new OptionsAfterJunction());
     }
 
-    /** Whether a choice of sensors has no directional ones but those that are written here, before those of one's own. */
+    /**
+     * Whether a choice of sensors has no directional ones but those that are written here, before those of one's own.
+     */
     static boolean serve(SensorSettings settings) {
         return settings.junctionsToSense() == 1
                 && !settings.has(SensorGroup.TIME_VERSUS_DISTANCE)

@@ -1,2 +1,5 @@
-/** What a network senses: one small class per sensor, over tables that answer questions about paths without searching. */
+/**
+ * The sensors of networks: one small class per sensor, over tables that answer questions about paths without
+ * searching.
+ */
 package mmneat.mspacman.sensors;

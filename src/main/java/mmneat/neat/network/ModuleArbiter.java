@@ -6,8 +6,8 @@ import mmneat.random.Argmax;
 import mmneat.random.ResumableRandom;
 
 /**
- * Chooses modules and combines their answers in the ways that the published experiments do not use, and keeps the modules'
- * fatigue.
+ * Chooses modules and combines their answers in the ways that the published experiments do not use, and keeps the
+ * modules' fatigue.
  *
  * <p>Source: docs/specification/networks.md, section 6.3.
  */

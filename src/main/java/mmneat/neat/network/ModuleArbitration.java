@@ -5,7 +5,8 @@ import java.util.Objects;
 import mmneat.neat.ModuleLayout;
 
 /**
- * How a network's answer is made of its modules' answers. The published experiments use {@link #PREFERENCE} alone.
+ * The way in which a network's answer is made of its modules' answers. The published experiments use only
+ * {@link #PREFERENCE}.
  *
  * <p>Source: docs/specification/networks.md, sections 6.1 and 6.3.
  *
@@ -26,7 +27,7 @@ public record ModuleArbitration(
         Answer answer,
         int[] taskOfModule) {
 
-    /** Whose policy activations the network returns. */
+    /** The choice of the module whose policy activations the network returns. */
     public enum Answer {
         /** Those of the chosen module. */
         CHOSEN_MODULE,

@@ -13,31 +13,33 @@ import mmneat.neat.ModuleLayout;
 public final class Network {
 
     /*
-     * The original pushes: every node, in the genotype's order, adds its activation times a weight to the pending sums of
-     * its targets. Here every neuron pulls instead. A sum then is one loop over adjacent weights, and a neuron whose
+     * The original pushes: every node, in the genotype's order, adds its activation times a weight to the pending sums
+     * of its targets. Here every neuron pulls instead. A sum then is one loop over adjacent weights, and a neuron whose
      * activation is not read can wait. The result is the same to the last bit if a neuron's addends keep their order:
      *
-     *   1. recurrent links (source at or behind the target) by source, with the source's activation of the previous step;
+     *   1. recurrent links (source at or behind the target) by source, with the source's activation of the previous
+     *   step;
      *   2. forward links by source, with the activation of this step.
      *
-     * The links of a neuron lie side by side in that order. A state keeps the activations of the previous step behind those of
-     * this one, so that a recurrent link is a link like any other.
+     * The links of a neuron lie side by side in that order. A state keeps the activations of the previous step behind
+     * those of this one, so that a recurrent link is a link like any other.
      *
-     * Only the order within a sum counts, so neurons can be computed in any order that has a neuron's forward sources before
-     * it, and those that are not needed not at all. They are grouped by what they are needed for:
+     * Only the order within a sum counts, so neurons can be computed in any order that has a neuron's forward sources
+     * before it, and those that are not needed not at all. They are grouped by what they are needed for:
      *
      *   always   what later steps read: sources of recurrent links, and what these depend on;
      *   shared   what more than one module's answer or the choice of the module depends on;
      *   modules  what the answer of one module alone depends on: a module that loses the choice costs nothing.
      *
-     * Within a group neurons are ordered by level: their forward sources all lie on lower levels, and those of one level are
-     * independent of each other. Outputs that no link reads come last and are computed only when they are asked for
-     * ("lazy").
+     * Within a group neurons are ordered by level: their forward sources all lie on lower levels, and those of one
+     * level are independent of each other. Outputs that no link reads come last and are computed only when they are
+     * asked for ("lazy").
      *
-     * What is not always needed serves decisions alone: which module has the highest preference, which state the highest
-     * answer. Mostly they are far enough apart to be told from rough values (RoughTanh); the margin, found when compiling, says
-     * how far a rough sum can be from the exact one. Where that does not settle it, and whenever a value is read, the exact one is
-     * computed. What later steps read is always exact, so that rough values leave no trace.
+     * What is not always needed serves decisions alone: which module has the highest preference, which state the
+     * highest answer. Mostly they are far enough apart to be told from rough values (RoughTanh); the margin, found when
+     * compiling, says how far a rough sum can be from the exact one. Where that does not settle it, and whenever a
+     * value is read, the exact one is computed. What later steps read is always exact, so that rough values leave no
+     * trace.
      *
      * Slots number what has an activation: first all inputs, then the neurons in that order. Nodes from which no output
      * can be reached in any number of steps have no slot.
@@ -78,12 +80,17 @@ public final class Network {
     final int[] groupOfOutput;
     /** How far a rough sum can be from the exact one. */
     final double margin;
-    /** Number of neurons, from the first slot of neurons on, whose activation of the previous step a state remembers. */
+    /**
+     * Number of neurons, from the first slot of neurons on, whose activation of the previous step a state remembers.
+     */
     final int remembered;
     /** Per slot: where its links start in the two arrays below; one more entry at the end. */
     final int[] linkStart;
 
-    /** The slot that a forward link comes from; for a recurrent one, of which {@link #slots} plus the number of the neuron. */
+    /**
+     * The slot that a forward link comes from; for a recurrent one, of which {@link #slots} plus the number of the
+     * neuron.
+     */
     final int[] linkSource;
 
     final double[] linkWeight;
@@ -161,8 +168,8 @@ public final class Network {
     /**
      * New states of this network that are activated together and whose modules are chosen in another way.
      *
-     * @throws IllegalArgumentException if the arbitration does not suit the network's modules, or {@code count} is not 1 to
-     *     31
+     * @throws IllegalArgumentException if the arbitration does not suit the network's modules, or {@code count} is not
+     *     1 to 31
      */
     public NetworkStates newStates(int count, ModuleArbitration arbitration) {
         return new NetworkStates(this, count, arbitration);

@@ -9,7 +9,8 @@ import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
 
 /**
- * Turns one genotype into a {@link Network}; used once. Time is linear in nodes and links: everything is sorted by counting.
+ * Turns one genotype into a {@link Network}; used once. Time is linear in nodes and links: everything is sorted by
+ * counting.
  *
  * <p>"Position" is an index into the genotype's nodes, "slot" an index into a state's activations.
  */
@@ -25,7 +26,9 @@ final class NetworkCompiler {
     private final int inputs;
     private final int firstOutput;
 
-    /** Active links into each node, by source position: those of node p are [incomingStart[p], incomingStart[p + 1]). */
+    /**
+     * Active links into each node, by source position: those of node p are [incomingStart[p], incomingStart[p + 1]).
+     */
     private final int[] incomingStart;
 
     private final int[] incomingSource;
@@ -119,8 +122,8 @@ final class NetworkCompiler {
     /**
      * How far a sum can at most be from what it is if all neurons that are not always needed are computed roughly.
      *
-     * <p>A sum's difference is what the differences of its addends make, times their weights, and the rounding of both sums;
-     * the tangent does not enlarge it, but has its own error.
+     * <p>A sum's difference is what the differences of its addends make, times their weights, and the rounding of both
+     * sums; the tangent does not enlarge it, but has its own error.
      */
     private double largestDifference() {
         double[] sumDifference = new double[nodes];

@@ -48,15 +48,15 @@ public final class NetworkStates {
     }
 
     /**
-     * Makes one step in some states, each with its own inputs; exactly as {@link NetworkState#activateFrom} of one after
-     * the other by index. States that are not asked for stay as they are.
+     * Makes one step in some states, each with its own inputs; exactly as {@link NetworkState#activateFrom} of one
+     * after the other by index. States that are not asked for stay as they are.
      *
      * @param which bit i is set if state i makes a step; a state's chosen module and answer are then read from it
      * @param inputActivations activation of input j of state i at index {@code i * stride + j}
      * @param stride distance between the rows of two states, at least the number of inputs
      * @param random one {@code nextInt} is drawn per state that makes a step, by index
-     * @throws IllegalArgumentException if a bit is set for which there is no state or not a whole row of values, or the stride
-     *     is less than the number of inputs
+     * @throws IllegalArgumentException if a bit is set for which there is no state or not a whole row of values, or the
+     *     stride is less than the number of inputs
      * @throws IllegalStateException as for {@link NetworkState#activate}
      */
     public void activate(int which, double[] inputActivations, int stride, ResumableRandom random) {
@@ -78,7 +78,8 @@ public final class NetworkStates {
     /**
      * The same with a row of its own for each state.
      *
-     * @param inputActivations activation of input j of state i at {@code [i][j]}; rows of states that make no step are not read
+     * @param inputActivations activation of input j of state i at {@code [i][j]}; rows of states that make no step are
+     *     not read
      * @throws IllegalArgumentException if a bit is set for which there is no state, or its row has too few values
      * @throws IllegalStateException as for {@link NetworkState#activate}
      */
@@ -117,9 +118,10 @@ public final class NetworkStates {
      *
      * @param which the same as in the last step
      * @param neuron number of the policy neuron that answers
-     * @return the state whose {@link NetworkState#policyOutput} is higher than those of all others and than -1, or -1 if
-     *     that takes a closer look
-     * @throws IllegalArgumentException if a bit is set for which there is no state, or modules have no such policy neuron
+     * @return the state whose {@link NetworkState#policyOutput} is higher than those of all others and than -1, or -1
+     *     if that takes a closer look
+     * @throws IllegalArgumentException if a bit is set for which there is no state, or modules have no such policy
+     *     neuron
      */
     public int clearlyHighest(int which, int neuron) {
         requireStates(which);

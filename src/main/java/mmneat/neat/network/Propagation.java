@@ -3,18 +3,18 @@ package mmneat.neat.network;
 /**
  * Computes neurons of one network for one, two or three states side by side: the loops in which a game spends its time.
  *
- * <p>A state is given by its activations as {@link NetworkState} keeps them, and slots in an order that has sources before
- * targets.
+ * <p>A state is given by its activations as {@link NetworkState} keeps them, and slots in an order that has sources
+ * before targets.
  */
 final class Propagation {
 
     /*
-     * A neuron's sum and its tanh are one long chain of dependent instructions, and a neuron of a higher level waits for those
-     * below. The processor looks some 250 instructions ahead for something else to do. Other states are something else: they
-     * depend on each other in nothing, and links are read once for all of them. And what is not in the loop lets it look
-     * further: exact loops call nothing, so that the compiler keeps their arrays in registers; the few arguments for which
-     * the fast tangent has to call the library end the loop (after leaving their sums behind), and it is entered again
-     * behind them.
+     * A neuron's sum and its tanh are one long chain of dependent instructions, and a neuron of a higher level waits
+     * for those below. The processor looks some 250 instructions ahead for something else to do. Other states are
+     * something else: they depend on each other in nothing, and links are read once for all of them. And what is not in
+     * the loop lets it look further: exact loops call nothing, so that the compiler keeps their arrays in registers;
+     * the few arguments for which the fast tangent has to call the library end the loop (after leaving their sums
+     * behind), and it is entered again behind them.
      *
      * The forms for one, two and three states are written out: in a loop over states their sums would not be registers.
      */

@@ -1,15 +1,15 @@
 package mmneat.neat.network;
 
 /**
- * The hyperbolic tangent to within {@link #LARGEST_ERROR}, several times as fast as to the last bit: for telling apart values
- * that are clearly different.
+ * The hyperbolic tangent to within {@link #LARGEST_ERROR}, several times as fast as to the last bit: for telling apart
+ * values that are clearly different.
  */
 final class RoughTanh {
 
     /*
-     * A cubic per interval of a sixteenth, in powers of the distance from the interval's middle: the one that has the values and
-     * slopes of the tangent at both ends. The interval's number comes from adding a number so large that no fraction fits beside
-     * it.
+     * A cubic per interval of a sixteenth, in powers of the distance from the interval's middle: the one that has the
+     * values and slopes of the tangent at both ends. The interval's number comes from adding a number so large that no
+     * fraction fits beside it.
      */
 
     /** Most that a result differs from the hyperbolic tangent, rounding included. */

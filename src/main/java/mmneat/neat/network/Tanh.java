@@ -23,10 +23,10 @@ public final class Tanh {
      *   t = expm1(y)  and  1 - 2/(t + 2)   if a >= 1
      *   t = expm1(-y) and  -t/(t + 2)      if a < 1
      *
-     * where expm1(s y) (s = 1 or -1) subtracts k ln 2 (k nearest to y/ln 2) from y, leaving r with a rest c, and adds the
-     * exponent back: by one formula for k = 0, another for s k = -1, a third for s k <= -2, and more for large k. A neuron's
-     * sum may fall anywhere, so that these branches are mispredicted time and again, and a call into the native library
-     * keeps the processor from working on the next neuron meanwhile.
+     * where expm1(s y) (s = 1 or -1) subtracts k ln 2 (k nearest to y/ln 2) from y, leaving r with a rest c, and adds
+     * the exponent back: by one formula for k = 0, another for s k = -1, a third for s k <= -2, and more for large k. A
+     * neuron's sum may fall anywhere, so that these branches are mispredicted time and again, and a call into the
+     * native library keeps the processor from working on the next neuron meanwhile.
      *
      * Here all cases up to k = 19 are one straight line,
      *
@@ -45,10 +45,10 @@ public final class Tanh {
      *
      * For negative x the signs of D, N and P are turned.
      *
-     * The nearest k comes from adding and subtracting a number so large that no fraction fits beside it, which is sooner
-     * done than a conversion; the reference adds 0.5 and cuts off, and decides between k = 0 and 1 by the upper half of the
-     * bits. They differ only very near the middle between two k: such arguments, one in half a million, go to the library,
-     * as do the few beyond the table.
+     * The nearest k comes from adding and subtracting a number so large that no fraction fits beside it, which is
+     * sooner done than a conversion; the reference adds 0.5 and cuts off, and decides between k = 0 and 1 by the upper
+     * half of the bits. They differ only very near the middle between two k: such arguments, one in half a million, go
+     * to the library, as do the few beyond the table.
      */
 
     private static final double LN2_HIGH = 6.93147180369123816490e-01;
@@ -79,7 +79,10 @@ public final class Tanh {
     private static final int ROWS = 128;
     private static final int LARGEST_K = 19;
 
-    /** Per row: M, F, G, N, P, D, s; N, P and D with the signs that make the result sign(x) tanh a. Row 4k + 2[x < 0] + [a >= 1]. */
+    /**
+     * Per row: M, F, G, N, P, D, s; N, P and D with the signs that make the result sign(x) tanh a. Row 4k + 2[x < 0] +
+     * [a >= 1].
+     */
     private static final double[] CASES = cases();
 
     private Tanh() {}
@@ -112,7 +115,10 @@ public final class Tanh {
         return isInTable(x) ? inTable(x) : outsideTable(x);
     }
 
-    /** Whether {@link #inTable} can be asked: so for all arguments but those beyond 6.75, and one in half a million before. */
+    /**
+     * Whether {@link #inTable} can be asked: so for all arguments but those beyond 6.75, and one in half a million
+     * before.
+     */
     static boolean isInTable(double x) {
         double a = Math.abs(x);
         double k = wholeOf(a) - WHOLE;

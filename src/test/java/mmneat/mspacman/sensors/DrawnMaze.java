@@ -3,8 +3,8 @@ package mmneat.mspacman.sensors;
 import pacman.maze.MazeTables;
 
 /**
- * A maze of no symmetry, with what the competition's mazes do not have: junctions and pills close together, loops shorter than
- * a walk, corridors of a single node, power pills on junctions.
+ * A maze of no symmetry, with what the competition's mazes do not have: junctions and pills close together, loops
+ * shorter than a walk, corridors of a single node, power pills on junctions.
  */
 final class DrawnMaze {
 

@@ -123,7 +123,10 @@ class NetworkStateTest {
         return SampleGenotypes.grown(random, 1 + random.nextInt(8), layout, hidden, random.nextInt(120));
     }
 
-    /** Sums beyond the table of the fast tangent, and saturated neurons, whose activations differ in the last bits or not at all. */
+    /**
+     * Sums beyond the table of the fast tangent, and saturated neurons, whose activations differ in the last bits or
+     * not at all.
+     */
     static Genotype withLargeWeights(Genotype genotype, SplittableRandom random) {
         List<LinkGene> links = genotype.links().stream()
                 .map(link -> new LinkGene(
@@ -146,7 +149,9 @@ class NetworkStateTest {
                 1, genotype.inputs(), genotype.layout(), nodes, genotype.links(), new int[genotype.modules()]);
     }
 
-    /** One input, hidden neurons 0 (useful) and 1 (a dead end that feeds itself), one module without preference neuron. */
+    /**
+     * One input, hidden neurons 0 (useful) and 1 (a dead end that feeds itself), one module without preference neuron.
+     */
     private static Genotype withDeadEnd() {
         List<NodeGene> nodes = List.of(
                 new NodeGene(-1, NodeType.INPUT, ActivationFunction.TANH),

@@ -7,7 +7,9 @@ import java.util.Map;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
 
-/** The reference form: a network of node objects that push their activations along their links, as the chapter says it. */
+/**
+ * The reference form: a network of node objects that push their activations along their links, as the chapter says it.
+ */
 final class PlainNetwork {
 
     private final Genotype genotype;
