@@ -85,6 +85,7 @@ public final class HeadlessChromium implements AutoCloseable {
         socket = HttpClient.newHttpClient()
                 .newWebSocketBuilder()
                 .buildAsync(URI.create(address()), new Receiver())
+                .orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS)
                 .join();
         String target = call(null, "Target.createTarget", Map.of("url", "about:blank"))
                 .get("targetId")
@@ -103,7 +104,10 @@ public final class HeadlessChromium implements AutoCloseable {
         for (String line = lines.readLine(); line != null; line = lines.readLine()) {
             int start = line.indexOf("ws://");
             if (start >= 0) {
-                CompletableFuture.runAsync(() -> lines.lines().forEach(rest -> {}));
+                // A thread of its own: since Java 25 the common pool, of one thread on two cores, would be blocked.
+                Thread reader = new Thread(() -> lines.lines().forEach(rest -> {}), "chromium-output");
+                reader.setDaemon(true);
+                reader.start();
                 return line.substring(start).strip();
             }
         }

@@ -121,7 +121,10 @@ class MainJobTest extends CommandTest {
                 .isZero();
         assertThat(page)
                 .content()
-                .contains("1 experiment, 2 runs", "aria-label=\"network of run 1\"", "of few evaluations, and so too high")
+                .contains(
+                        "1 experiment, 2 runs",
+                        "aria-label=\"network of run 1\"",
+                        "of few evaluations, and so too high")
                 .doesNotContain("-replays/", "the replays stand", "Run evaluate");
         assertThat(folder.resolve("report-replays")).doesNotExist();
     }
