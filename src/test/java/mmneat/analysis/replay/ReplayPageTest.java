@@ -37,6 +37,10 @@ class ReplayPageTest {
         browser.resize(1280, 800, false);
     }
 
+    /** The page is loaded and its network was drawn once. */
+    private static final String DRAWN = "window.player !== undefined && player.networkView.at !== undefined"
+            + " && player.networkView.at.row !== undefined";
+
     @AfterAll
     static void closeBrowser() throws IOException {
         if (browser != null) {
@@ -47,7 +51,7 @@ class ReplayPageTest {
     @BeforeEach
     void openPage() {
         browser.open(page);
-        browser.waitUntil("window.player !== undefined");
+        browser.waitUntil(DRAWN);
     }
 
     @AfterEach
@@ -142,7 +146,7 @@ class ReplayPageTest {
         browser.resize(width, height, phone == 1);
         for (Path shown : new Path[] {page, games}) {
             browser.open(shown);
-            browser.waitUntil("window.player !== undefined");
+            browser.waitUntil(DRAWN);
             browser.evaluate("player.move(200)");
             assertThat(number("document.documentElement.scrollWidth - innerWidth"))
                     .as("sideways scrolling")
@@ -179,7 +183,7 @@ class ReplayPageTest {
         Files.writeString(games, ReplayPage.html(SyntheticReplay.isolatedGames(INPUTS)));
         browser.resize(1366, 620, false);
         browser.open(games);
-        browser.waitUntil("window.player !== undefined");
+        browser.waitUntil(DRAWN);
         assertThat(number("(m => m.scrollHeight - m.clientHeight)(document.querySelector('#network'))"))
                 .isLessThanOrEqualTo(0);
         assertThat(number("document.documentElement.scrollHeight - innerHeight"))
