@@ -5,9 +5,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import mmneat.analysis.ExperimentComparison;
+import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.figures.Figure;
 import mmneat.analysis.figures.LearningCurveFigure;
 import mmneat.analysis.figures.ModuleUseFigure;
@@ -15,6 +17,7 @@ import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.results.PublishedResults;
+import mmneat.analysis.results.RunReader;
 import mmneat.analysis.results.RunResult;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.Sample;
@@ -63,6 +66,7 @@ public final class StudyPage {
             text.append("\n## The ").append(name).append(" version\n\n");
             overview(experiments);
             champions(experiments);
+            otherRules(experiments);
             for (ExperimentComparison comparison :
                     ExperimentComparison.ofEachVersion(experiments, ExperimentComparison.Scores.AUTO, true)) {
                 text.append("\nThe tests of `compare docs/study/" + name + " paper=true`:\n\n");
@@ -100,11 +104,11 @@ public final class StudyPage {
                 continue;
             }
             List<PublishedResults.Champion> theirs = paper.champions(experiment.version(), experiment.method());
-            Sample published = new Sample(
-                    "",
-                    theirs.stream()
+            Optional<Sample> published = Optional.of(theirs.stream()
                             .mapToDouble(PublishedResults.Champion::averageScore)
-                            .toArray());
+                            .toArray())
+                    .filter(scores -> scores.length > 0)
+                    .map(scores -> new Sample("", scores));
             Sample sample = new Sample("", ours);
             long main = experiment.runs().stream()
                     .filter(RunResult::isComparable)
@@ -119,10 +123,14 @@ public final class StudyPage {
                     "" + Math.max(0, RUNS_OF_THE_PAPER - ours.length),
                     Numbers.score(sample.median()),
                     quartiles(sample),
-                    Numbers.score(published.median()),
-                    quartiles(published),
+                    published
+                            .map(theirSample -> Numbers.score(theirSample.median()))
+                            .orElse(""),
+                    published.map(StudyPage::quartiles).orElse(""),
                     main + " of " + ours.length,
-                    mainInThePaper + " of " + theirs.size());
+                    published
+                            .map(theirSample -> mainInThePaper + " of " + theirSample.size())
+                            .orElse(""));
         }
         text.append("\n\"One main module\": the most used module decides at least "
                 + Numbers.decimal(MAIN_MODULE_PERCENT, 0) + " % of the steps.\n");
@@ -160,6 +168,33 @@ public final class StudyPage {
                 }
             }
         }
+    }
+
+    /** Champions that were also evaluated under other rules. */
+    private void otherRules(List<Experiment> experiments) {
+        List<String[]> rows = new ArrayList<>();
+        for (Experiment experiment : experiments) {
+            for (RunResult run : experiment.runs()) {
+                for (Rules rules : List.of(Rules.FOUR_MAZE, Rules.MPM_VS_GHOSTS)) {
+                    RunReader.evaluation(run.folder(), rules.label())
+                            .ifPresent(evaluation -> rows.add(new String[] {
+                                experiment.label() + ", run " + run.number(),
+                                rules.label(),
+                                String.format(Locale.ROOT, "%,d", evaluation.games()),
+                                Numbers.score(evaluation.meanScore()),
+                                Numbers.score(evaluation.low()) + " to " + Numbers.score(evaluation.high())
+                            }));
+                }
+            }
+        }
+        if (rows.isEmpty()) {
+            return;
+        }
+        text.append("\nThe best champion under the rules of other games (`evaluate rules=FourMaze` and"
+                + " `rules=MPMvsG`: three lives\nand an extra one):\n\n");
+        row("champion", "rules", "games", "mean score", "95 % interval");
+        row(Arrays.copyOf(DASHES, 5));
+        rows.forEach(this::row);
     }
 
     private void row(String... cells) {

@@ -49,7 +49,7 @@ public final class RunReader {
         SymbolicLinks.refuseIn(folder);
         Map<String, String> parameters = RunParameters.read(Optional.of(folder));
         return new RunResult(
-                folder, number(folder, parameters), parameters, championScores(folder), evaluation(folder));
+                folder, number(folder, parameters), parameters, championScores(folder), evaluation(folder, TRAINING));
     }
 
     /**
@@ -107,13 +107,21 @@ public final class RunReader {
         return number.isEmpty() ? 0 : Integer.parseInt(number);
     }
 
-    private static Optional<ChampionEvaluation> evaluation(Path folder) {
-        Path file = folder.resolve(RunLayout.evaluationSummary(TRAINING));
+    /**
+     * The evaluation of a run's champion.
+     *
+     * @param folder the folder of the run
+     * @param rules label of the rules of the evaluation's games, e.g. {@code training}
+     * @return empty if there is none, or if it is that of an earlier champion of the run
+     * @throws UserError if the file is damaged or cannot be read
+     */
+    public static Optional<ChampionEvaluation> evaluation(Path folder, String rules) {
+        Path file = folder.resolve(RunLayout.evaluationSummary(rules));
         if (!Files.exists(file)) {
             return Optional.empty();
         }
         ChampionEvaluation evaluation = json(file, ChampionEvaluation.class, "; remove it and run evaluate again");
-        if (!evaluation.rules().equals(TRAINING)) {
+        if (!evaluation.rules().equals(rules)) {
             throw new UserError(file + ": is damaged (rules cannot be " + PlainText.shown(evaluation.rules())
                     + "); remove it and run evaluate again");
         }
