@@ -77,8 +77,9 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
             }
         }
         if (!published.isEmpty() && !evaluated) {
-            notes.add("The paper's scores are averages of 1,000 games; the last generation's are the best of few games."
-                    + " A verdict needs evaluated champions: run evaluate.");
+            notes.add(
+                    "The paper's scores are averages of 1,000 games, but the scores of the last generation are the best of"
+                            + " few games. Run evaluate on the experiments before comparing them with the paper.");
         }
         return new ExperimentComparison(version, evaluated, ComparisonReport.of(samples, published), notes);
     }
@@ -102,10 +103,10 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
         // evaluate plays Ms. Pac-Man.
         boolean canBeEvaluated = experiments.stream()
                 .anyMatch(experiment -> !experiment.version().isEmpty());
-        notes.add("Scores are the best of the last generation, "
+        notes.add("Scores are the best of the last generation. "
                 + (canBeEvaluated
-                        ? "of few games and so too high. Run evaluate for 1,000 games each."
-                        : "of few evaluations, and so too high."));
+                        ? "They come from few games and are too high. Run evaluate for 1,000 games each."
+                        : "They come from few evaluations and are too high."));
         return false;
     }
 

@@ -20,7 +20,7 @@ final class ChampionChoice {
             names = "champion",
             paramLabel = "TASK",
             completionCandidates = Versions.class,
-            description = "Instead of FILE: the champion of this version of the task that comes with the program"
+            description = "Uses, instead of FILE, the champion that comes with the program for this version of the task"
                     + " (${COMPLETION-CANDIDATES}).")
     private String version;
 

@@ -40,7 +40,7 @@ final class CompareCommand extends ConsoleCommand implements Runnable {
     @Parameters(
             arity = "0..*",
             paramLabel = "EXPERIMENT",
-            description = "Folder of runs, or the beginning of such folders' names.")
+            description = "Folder of runs, or a prefix of such folders' names.")
     private List<Path> paths;
 
     @Option(
@@ -61,10 +61,10 @@ final class CompareCommand extends ConsoleCommand implements Runnable {
             description = "Adds the paper's champions (default: ${DEFAULT-VALUE}).")
     private boolean paper;
 
-    @Option(names = "csv", paramLabel = "FILE", description = "Writes every test in full precision.")
+    @Option(names = "csv", paramLabel = "FILE", description = "Also writes all tests in full precision to this file.")
     private Path csv;
 
-    @Option(names = "latex", paramLabel = "FILE", description = "Writes the tables for LaTeX.")
+    @Option(names = "latex", paramLabel = "FILE", description = "Also writes the tables in LaTeX to this file.")
     private Path latex;
 
     @Override

@@ -49,7 +49,7 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
     @Parameters(
             arity = "0..*",
             paramLabel = "EXPERIMENT|FILE",
-            description = "Folder of runs, the beginning of such folders' names, or file of a network.")
+            description = "Folder of runs, a prefix of such folders' names, or file of a network.")
     private List<Path> paths;
 
     @Mixin
@@ -71,8 +71,9 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
             names = "seed",
             paramLabel = "N",
             defaultValue = "0",
-            description = "Seed of the games' seeds; another seed than before replaces the games that are there"
-                    + " (default: ${DEFAULT-VALUE}).")
+            description =
+                    "Seed from which the games' seeds are drawn; a seed other than before replaces the existing games"
+                            + " (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(

@@ -61,7 +61,8 @@ final class GameOptions {
     @Option(
             names = "ghostLocations",
             paramLabel = "FILE",
-            description = "Recorded ghost locations for rules=" + ISOLATED_GHOSTS + " (default: ours).")
+            description = "Recorded ghost locations for rules=" + ISOLATED_GHOSTS
+                    + " (default: those that come with the program).")
     private Path ghostLocations;
 
     @Option(
@@ -76,7 +77,7 @@ final class GameOptions {
     GameRules rules(GameRules otherwise) {
         for (String name : List.of("powerPill", "ghostLocations")) {
             ConsoleCommand.requireEffect(
-                    command, name, name().equals(ISOLATED_GHOSTS), "it goes with rules=" + ISOLATED_GHOSTS);
+                    command, name, name().equals(ISOLATED_GHOSTS), "it is used only with rules=" + ISOLATED_GHOSTS);
         }
         GameRules chosen = rules == null ? otherwise : named(rules);
         if (maze == null) {

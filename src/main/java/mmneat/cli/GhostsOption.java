@@ -25,7 +25,8 @@ final class GhostsOption {
             names = NAME,
             paramLabel = "FILE",
             description =
-                    "Recorded ghost locations, for the isolated version of the task (default: those of the run, or ours).")
+                    "Recorded ghost locations, for the isolated version of the task (default: those of the run, or those"
+                            + " that come with the program).")
     private Path file;
 
     /** Returns the settings with which a champion plays. */

@@ -43,11 +43,11 @@ import picocli.CommandLine.Spec;
         description = {
             "Evolves modular neural networks that play Ms. Pac-Man (Modular Multiobjective NEAT).",
             "",
-            "Without a command, evolves what the parameters say.",
+            "Without a command, runs the experiment that the parameters describe.",
             "Example: mmneat task=blended runs=30",
             "",
         },
-        footer = "Each command has a --help of its own.",
+        footer = "Each command has its own --help.",
         subcommands = {
             CompareCommand.class,
             CompletionCommand.class,
@@ -120,7 +120,7 @@ public final class Main implements Callable<Integer> {
             return main.execute(arguments);
         } catch (OutOfMemoryError e) {
             main.getErr()
-                    .println("mmneat: the memory is exhausted; check the files that the command names, or give Java"
+                    .println("mmneat: out of memory; check the files that the command names, or give Java"
                             + " more memory with the option -Xmx");
             main.getErr().flush();
             return ExitCode.USAGE;

@@ -81,14 +81,14 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
             paramLabel = "FORMAT",
             completionCandidates = Formats.class,
             description =
-                    "svg: a picture; dot: a graph for Graphviz; graphml: a graph for other programs; json: our form;"
-                            + " xml: the original's form (default: by the ending of out=; without out=, svg).")
+                    "svg: a picture; dot: a graph for Graphviz; graphml: a graph for other programs; json: this"
+                            + " program's format; xml: the original's format (default: by the ending of out=; without out=, svg).")
     private String format;
 
     @Option(
             names = "out",
             paramLabel = "FILE",
-            description = "File to write, or - for standard output (default: the names of network and format, in this"
+            description = "File to write, or - for standard output (default: named after network and format, in this"
                     + " folder).")
     private Path out;
 
@@ -127,7 +127,7 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
         List<String> formats = new Formats();
         if (!formats.contains(ending)) {
             throw new UserError("out=" + out + ": the ending is not a format; name the file *."
-                    + String.join(", *.", formats) + " or say format=");
+                    + String.join(", *.", formats) + " or give format=");
         }
         return ending;
     }

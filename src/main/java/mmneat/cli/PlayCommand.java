@@ -89,13 +89,13 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
     @Option(
             names = "pacmanClasspath",
             paramLabel = "PATH",
-            description = "The same for Ms. Pac-Man's controller alone, which must come from there.")
+            description = "As classpath=, for Ms. Pac-Man's controller only; its class must be found there.")
     private String pacManClassPath;
 
     @Option(
             names = "ghostsClasspath",
             paramLabel = "PATH",
-            description = "The same for the ghosts' controller alone, which must come from there.")
+            description = "As classpath=, for the ghosts' controller only; its class must be found there.")
     private String ghostsClassPath;
 
     @Option(names = "games", paramLabel = "N", defaultValue = "1", description = "Games (default: ${DEFAULT-VALUE}).")
@@ -106,7 +106,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             names = "seed",
             paramLabel = "N",
             defaultValue = "0",
-            description = "Seed of the games' seeds (default: ${DEFAULT-VALUE}).")
+            description = "Seed from which the games' seeds are drawn (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(
@@ -115,10 +115,10 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             completionCandidates = Timings.class,
             defaultValue = UNTIMED,
             description =
-                    "One of ${COMPLETION-CANDIDATES}. false: controllers take as long as they like. true: real time,"
-                            + " 40 ms per step by the clock. fast: 40 ms at most, the next step comes when both have answered."
-                            + " With true and fast they compute in threads of their own, and a late one is represented by its last"
-                            + " answer (default: ${DEFAULT-VALUE}).")
+                    "One of ${COMPLETION-CANDIDATES}. false: no time limit. true: real time, 40 ms per step. fast: at"
+                            + " most 40 ms per step; the next step starts as soon as both controllers have answered. With true"
+                            + " and fast, each controller computes in its own thread, and the last answer of a late controller"
+                            + " is used again (default: ${DEFAULT-VALUE}).")
     private String timed;
 
     @Option(
@@ -134,8 +134,8 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             completionCandidates = Reactions.class,
             defaultValue = "stop",
             description =
-                    "What a controller's failure (exception, endless recursion, memory, end of the program, move limit)"
-                            + " does, one of ${COMPLETION-CANDIDATES}. stop: reports the games before and exits with 2. skip: leaves the"
+                    "Reaction to a controller's failure (exception, endless recursion, out of memory, call to exit, move"
+                            + " limit), one of ${COMPLETION-CANDIDATES}. stop: reports the games before and exits with 2. skip: leaves the"
                             + " game out. score0: counts it with score 0 (default: ${DEFAULT-VALUE}).")
     private String onFailure;
 
@@ -145,8 +145,8 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             completionCandidates = Checks.class,
             defaultValue = "none",
             description =
-                    "One of ${COMPLETION-CANDIDATES}. repeat: plays the first game again and says whether it scores the"
-                            + " same (default: ${DEFAULT-VALUE}).")
+                    "One of ${COMPLETION-CANDIDATES}. repeat: plays the first game again and reports whether its score is"
+                            + " the same (default: ${DEFAULT-VALUE}).")
     private String check;
 
     @Option(
@@ -236,8 +236,8 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
     private static <T> Contestant<T> contestant(
             ControllerFactory<T> factory, String option, String value, String ownClassPath) {
         if (ownClassPath != null && !places(ownClassPath).contains(Path.of(factory.origin()))) {
-            throw new UserError(option + "=" + value + ": there is no such class in " + ownClassPath
-                    + ", only elsewhere; leave " + option + "Classpath= out to play that");
+            throw new UserError(option + "=" + value + ": the class is not in " + ownClassPath
+                    + " but elsewhere; leave out " + option + "Classpath= to use it");
         }
         return new Contestant<>(factory.name(), factory.origin(), factory::create);
     }
@@ -264,7 +264,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
                 || !settings.ghosts().origin().isEmpty();
         requireEffect("classpath", isUsed, "both controllers come with the program");
         boolean playsClass = !settings.pacMan().name().equals(HUMAN) && !NetworkPlayer.isNetwork(pacMan);
-        requireEffect("pacmanClasspath", playsClass, "Ms. Pac-Man's controller is no class");
+        requireEffect("pacmanClasspath", playsClass, "Ms. Pac-Man's controller is not a class");
     }
 
     private void requireRecordable(ContestSettings settings) {
@@ -272,7 +272,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             return;
         }
         if (games != 1) {
-            throw new UserError("record=" + record + ": one game is recorded; use games=1");
+            throw new UserError("record=" + record + ": only one game can be recorded; use games=1");
         }
         if (settings.isShown() && settings.timing() == Timing.NONE) {
             throw new UserError("record=" + record + ": with view=true use timed=true too");

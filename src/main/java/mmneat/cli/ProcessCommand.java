@@ -51,7 +51,7 @@ final class ProcessCommand extends ConsoleCommand implements Runnable {
         if (begun.isEmpty()) {
             throw new UserError(
                     plan.runs().get(0).directory()
-                            + ": no run has the logs of a complete generation (io=false writes none); give the words that the runs were made with");
+                            + ": no run has the logs of a complete generation (io=false writes none); give the parameters that the runs were made with");
         }
         String saveTo = plan.parameters().text("saveTo");
         new RunSummaries(

@@ -56,7 +56,7 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
     @Parameters(
             arity = "0..*",
             paramLabel = "EXPERIMENT",
-            description = "Folder of runs, or the beginning of such folders' names.")
+            description = "Folder of runs, or a prefix of such folders' names.")
     private List<Path> paths;
 
     @Option(
@@ -66,7 +66,10 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
             description = "The page to write (default: ${DEFAULT-VALUE}).")
     private Path out;
 
-    @Option(names = "title", paramLabel = "TEXT", description = "Heading of the page (default: the experiments).")
+    @Option(
+            names = "title",
+            paramLabel = "TEXT",
+            description = "Heading of the page (default: the experiments' names).")
     private String title;
 
     @Option(names = "figures", paramLabel = "FOLDER", description = "Also writes the figures there, as SVG and PNG.")

@@ -53,7 +53,7 @@ final class ResultTable {
                 .filter(outcome -> outcome.phase() == Phase.ALREADY_FINISHED)
                 .count();
         if (before > 0) {
-            out.println((before == 1 ? "1 run was" : before + " runs were") + " complete before.");
+            out.println((before == 1 ? "1 run was" : before + " runs were") + " already complete.");
         }
         out.flush();
     }

@@ -31,7 +31,7 @@ import picocli.CommandLine.Parameters;
         description = {
             "Shows the progress of experiments, read from their files.",
             "",
-            "The runs may be at work on this machine or on another.",
+            "The runs may be running on this machine or on another.",
             "Exit code: 0 all runs are finished, 4 some are not finished, 5 some have failed.",
             "",
             "Example: mmneat status results/blended",
@@ -132,7 +132,7 @@ final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
                         Duration.between(run.signOfLife(), now).abs()))
                 .append(" ago");
         if (run.estimatedEnd() != null) {
-            details.append(", done about ")
+            details.append(", estimated end ")
                     .append(CLOCK.format(run.estimatedEnd().atZone(ZoneId.systemDefault())));
         }
         return details.toString();

@@ -66,7 +66,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
             paramLabel = "ENGINE",
             defaultValue = LOCAL,
             completionCandidates = Engines.class,
-            description = "Scheduler that places the jobs: ${COMPLETION-CANDIDATES}; local is this machine, now"
+            description = "Scheduler that starts the jobs: ${COMPLETION-CANDIDATES}; local runs them here at once"
                     + " (default: ${DEFAULT-VALUE}).")
     private String engine;
 
@@ -123,7 +123,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
     @Option(
             names = "java",
             paramLabel = "PROGRAM",
-            description = "Java program of the machines that run the jobs (default: ${DEFAULT-VALUE}).")
+            description = "Java command on the machines that run the jobs (default: ${DEFAULT-VALUE}).")
     private String java = "java";
 
     @Option(
@@ -268,7 +268,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
                     .getLocation()
                     .toURI());
             if (!Files.isRegularFile(place)) {
-                throw new UserError("submit needs the packaged jar: build it with mvn package, then java -jar"
+                throw new UserError("submit needs the packaged jar: build it with mvn package, then run java -jar"
                         + " target/mmneat.jar submit ...");
             }
             return place.toAbsolutePath();

@@ -98,7 +98,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
     @Mixin
     private JarOption jar;
 
-    @Option(names = "out", paramLabel = "FILE", description = "Writes a line for each game as CSV.")
+    @Option(names = "out", paramLabel = "FILE", description = "Also writes one line per game to this CSV file.")
     private Path out;
 
     @Override

@@ -32,7 +32,7 @@ public final class ContestReport {
         lines.add(scores(result.scores()));
         lines.add(String.format(
                 Locale.ROOT,
-                "steps: %d, %.0f per second from the start of the first game, when the mazes are loaded",
+                "steps: %d, %.0f per second, without the time for loading the mazes",
                 result.steps(),
                 result.steps() / Math.max(seconds, 1e-9)));
         if (settings.timing() != Timing.NONE) {
@@ -101,15 +101,15 @@ public final class ContestReport {
         if (twice.isSame()) {
             return String.format(
                     Locale.ROOT,
-                    "check: game %d came to the same when played again: score %d, %d steps",
+                    "check: game %d gave the same result when it was repeated: score %d, %d steps",
                     twice.game(),
                     twice.score(),
                     twice.steps());
         }
         return String.format(
                 Locale.ROOT,
-                "check: the scores are not reproducible: game %d scored %d in %d steps, played again %s in %d steps;"
-                        + " a controller has a generator of its own, looks at the clock, or remembers games",
+                "check: the scores are not reproducible: game %d scored %d in %d steps, repeated %s in %d steps;"
+                        + " a controller uses its own random generator, reads the clock, or keeps data between games",
                 twice.game(),
                 twice.score(),
                 twice.steps(),

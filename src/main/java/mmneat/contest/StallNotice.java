@@ -58,10 +58,9 @@ final class StallNotice implements AutoCloseable {
             told = false;
         } else if (!told) {
             told = true;
-            notes.println("mmneat: at time " + time + " of the game " + controllerCalledBy(player)
-                    + " has not answered for "
-                    + milliseconds / 1000
-                    + " s; with timed=true the game would go on without it, moveLimit= would end it. Ctrl-C ends.");
+            notes.println("mmneat: " + controllerCalledBy(player) + " has not answered for " + milliseconds / 1000
+                    + " s at time " + time + " of the game; timed=true plays on without an answer, moveLimit=SECONDS"
+                    + " ends the game, Ctrl-C stops the program");
             notes.flush();
         }
     }

@@ -97,7 +97,7 @@ class CompareCommandTest extends CommandTest {
         assertThat(out.toString())
                 .contains("(0 comparisons)")
                 .containsPattern("2M +- +- +- +- +- +none: no evaluated run")
-                .contains("A verdict needs evaluated champions: run evaluate.")
+                .contains("Run evaluate on the experiments before comparing them with the paper.")
                 .doesNotContainPattern("no difference shown|ours lower|ours higher");
     }
 
@@ -145,6 +145,6 @@ class CompareCommandTest extends CommandTest {
     void oneExperiment_isDescribed() throws IOException {
         RunFixture.run(base, "blended", "1M", 0, 100, 9000);
         assertThat(execute("compare", base.resolve("blended/1M").toString())).isZero();
-        assertThat(out.toString()).contains("9,000").contains("One group only");
+        assertThat(out.toString()).contains("9,000").contains("there is only one group");
     }
 }

@@ -121,7 +121,7 @@ class LaterVersionRunTest extends CommandTest {
                 .isZero();
 
         assertThat(execute("play", "pacman=" + run)).as(errors.toString()).isZero();
-        assertMistake("are not there; give them with ghosts=FILE", "evaluate", run.toString(), "games=2");
+        assertMistake("the file with the ghost locations of its run is missing", "evaluate", run.toString(), "games=2");
         Path locations = GoldenData.folder("ghost-locations").resolve("PowerPillToGhostLocationMapping.txt");
         assertThat(execute("evaluate", run.toString(), "games=2", "ghosts=" + locations))
                 .as(errors.toString())

@@ -45,7 +45,7 @@ class MainJobTest extends CommandTest {
         assertThat(execute("status", folder.toString())).isZero();
         assertThat(out.toString()).contains("2 of 2 finished; best of the last generation");
         assertThat(evolve("runs=2")).isZero();
-        assertThat(out.toString()).contains("2 runs were complete before");
+        assertThat(out.toString()).contains("2 runs were already complete");
         assertThat(evolve("runs=3", "maxGens=2", "quiet=true")).isZero();
     }
 
@@ -97,10 +97,10 @@ class MainJobTest extends CommandTest {
         Files.delete(folder.resolve("xor/1M0/generations.csv"));
         Files.delete(folder.resolve("xor/1M0/XorTask-1M0_parents_log.txt"));
         assertThat(evolve("runs=1")).isEqualTo(2);
-        assertThat(out.toString()).contains("1 run was complete before");
+        assertThat(out.toString()).contains("1 run was already complete");
         assertThat(errors.toString())
-                .isEqualToIgnoringNewLines(
-                        "mmneat: " + folder.resolve("xor/1M0") + ": has no generations.csv any more");
+                .isEqualToIgnoringNewLines("mmneat: " + folder.resolve("xor/1M0")
+                        + ": generations.csv is missing; restore it or leave the run out");
     }
 
     @Test
@@ -124,8 +124,8 @@ class MainJobTest extends CommandTest {
                 .contains(
                         "1 experiment, 2 runs",
                         "aria-label=\"network of run 1\"",
-                        "of few evaluations, and so too high")
-                .doesNotContain("-replays/", "the replays stand", "Run evaluate");
+                        "They come from few evaluations and are too high")
+                .doesNotContain("-replays/", "the replays are in the folder", "Run evaluate");
         assertThat(folder.resolve("report-replays")).doesNotExist();
     }
 

@@ -87,7 +87,8 @@ class NetworkCommandTest extends CommandTest {
 
         Path alone = Files.copy(champion, folder.resolve("alone.json"));
         assertThat(execute("network", alone.toString(), "out=-")).isZero();
-        assertThat(errors.toString()).startsWith("network: inputs named as in task=blended, which has as many");
+        assertThat(errors.toString())
+                .startsWith("network: inputs named as in task=blended, which has the same number of inputs");
         assertThat(execute("network", alone.toString(), "task=isolated")).isEqualTo(2);
         assertThat(errors.toString()).contains("30 inputs, but this version of the task has 26 sensors");
     }

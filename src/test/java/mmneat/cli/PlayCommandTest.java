@@ -171,13 +171,13 @@ class PlayCommandTest extends CommandTest {
     void userErrors_areOneLine() throws IOException {
         assertMistake("unknown name 'pacmn' (did you mean 'pacman'?)", "play", "pacmn=StarterPacMan");
         assertMistake("there is no controller 'Starter'", "play", "pacman=Starter");
-        assertMistake("does not decide on moves for Ms. Pac-Man", "play", "pacman=Legacy");
+        assertMistake("must return moves for Ms. Pac-Man", "play", "pacman=Legacy");
         assertMistake("games=0: must be a whole number, at least 1", "play", "games=0");
         assertMistake("rules=hard: must be one of", "play", "rules=hard");
         assertMistake("maze: cannot read none.txt: there is no such file", "play", "maze=none.txt");
         assertMistake(
                 "ghostLocations: cannot read none.txt", "play", "rules=isolatedGhosts", "ghostLocations=none.txt");
-        assertMistake("one game is recorded", "play", "record=" + folder.resolve("x"), "games=2");
+        assertMistake("only one game can be recorded", "play", "record=" + folder.resolve("x"), "games=2");
         assertMistake(": this is a folder; name a file in it", "play", "record=" + folder);
         assertMistake("'games' has no value; write games=...", "play", "games");
         assertMistake("needs view=true", "play", "pacman=Human");
@@ -228,7 +228,8 @@ class PlayCommandTest extends CommandTest {
 
     @Test
     void wordsWithoutEffect_areRefused() {
-        assertMistake("powerPill=2 has no effect here: it goes with rules=isolatedGhosts", "play", "powerPill=2");
+        assertMistake(
+                "powerPill=2 has no effect here: it is used only with rules=isolatedGhosts", "play", "powerPill=2");
         assertMistake("ghostLocations=x has no effect here", "play", "rules=blended", "ghostLocations=x");
         assertMistake("division=AnyPills has no effect here: it is for a network", "play", "division=AnyPills");
         assertMistake(

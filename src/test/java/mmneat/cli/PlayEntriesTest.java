@@ -202,7 +202,7 @@ class PlayEntriesTest extends CommandTest {
         assertThat(execute("play", "classpath=" + classes, "pacman=Later")).isEqualTo(2);
         assertThat(errors.toString())
                 .contains("getShield")
-                .contains("release 6.2 of the competition never had this member");
+                .contains("release 6.2 of the competition has no such member");
     }
 
     @Test
@@ -220,7 +220,7 @@ class PlayEntriesTest extends CommandTest {
                 "java.util.Random own = new java.util.Random(System.nanoTime());"
                         + " return pacman.game.Constants.MOVE.values()[own.nextInt(4)];");
         assertThat(execute("play", "games=3", "check=repeat")).isZero();
-        assertThat(out.toString()).contains("check: game 1 came to the same when played again: score ");
+        assertThat(out.toString()).contains("check: game 1 gave the same result when it was repeated: score ");
         assertThat(execute("play", "classpath=" + classes, "pacman=Own", "check=repeat"))
                 .isZero();
         assertThat(out.toString()).contains("check: the scores are not reproducible: game 1 scored ");
@@ -266,8 +266,8 @@ class PlayEntriesTest extends CommandTest {
                 "pacman=pacman.entries.pacman.MyPacMan");
         assertMistake("there is no class 'MyGhosts' in " + empty, "play", "classpath=" + empty, "ghosts=MyGhosts");
         assertMistake("classpath=" + empty + " has no effect here", "play", "classpath=" + empty);
-        assertMistake("pacman=StarterPacMan: there is no such class in " + empty, "play", "pacmanClasspath=" + empty);
-        assertMistake("ghosts=Legacy: there is no such class in " + empty, "play", "ghostsClasspath=" + empty);
+        assertMistake("pacman=StarterPacMan: the class is not in " + empty, "play", "pacmanClasspath=" + empty);
+        assertMistake("ghosts=Legacy: the class is not in " + empty, "play", "ghostsClasspath=" + empty);
         assertMistake(
                 "pacmanClasspath=" + empty + " has no effect here",
                 "play",

@@ -46,7 +46,7 @@ class ProcessCommandTest extends CommandTest {
         assertThat(errors.toString())
                 .isEqualToIgnoringNewLines(
                         "mmneat: " + base.resolve("A0")
-                                + ": no run has the logs of a complete generation (io=false writes none); give the words that the runs were made with");
+                                + ": no run has the logs of a complete generation (io=false writes none); give the parameters that the runs were made with");
     }
 
     @Test

@@ -97,7 +97,7 @@ class StandardOutputTest {
         assertThat(Main.execute(line, new StandardOutput(OutputStream.nullOutputStream())))
                 .isEqualTo(2);
         assertThat(errors.toString().lines())
-                .containsExactly("mmneat: the memory is exhausted; check the files that the command names, or give Java"
+                .containsExactly("mmneat: out of memory; check the files that the command names, or give Java"
                         + " more memory with the option -Xmx");
     }
 

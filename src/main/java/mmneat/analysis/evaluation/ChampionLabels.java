@@ -41,7 +41,7 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
                     guessed
                             ? "inputs named as in task="
                                     + ChampionTask.version(champion).label()
-                                    + ", which has as many; task= names another"
+                                    + ", which has the same number of inputs; task= chooses another version"
                             : "");
         } catch (UserError e) {
             if (version.isPresent()) {

@@ -70,8 +70,8 @@ final class ChampionTask {
                 || Files.exists(Path.of(file))
                 || Files.exists(champion.parametersFile().get().resolveSibling(file));
         if (isIsolated && !isThere) {
-            throw new UserError(champion.file() + ": the ghost locations of its run, " + file
-                    + ", are not there; give them with ghosts=FILE");
+            throw new UserError(champion.file() + ": the file with the ghost locations of its run is missing: " + file
+                    + "; give it with ghosts=FILE");
         }
     }
 

@@ -46,7 +46,7 @@ final class EvaluationFile implements AutoCloseable {
         }
         if (!lock()) {
             close();
-            throw new UserError(file + ": another evaluation writes it just now; wait until it is done");
+            throw new UserError(file + ": another evaluation is writing this file; wait until it has finished");
         }
     }
 
@@ -85,7 +85,7 @@ final class EvaluationFile implements AutoCloseable {
         } catch (IOException e) {
             throw failure(e);
         } catch (IllegalArgumentException e) {
-            throw new UserError(file + ": " + e.getMessage() + "; delete the file to evaluate anew", e);
+            throw new UserError(file + ": " + e.getMessage() + "; delete the file to evaluate again", e);
         }
     }
 

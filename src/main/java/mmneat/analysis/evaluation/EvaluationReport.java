@@ -59,9 +59,9 @@ public final class EvaluationReport implements EvaluationObserver {
      */
     public static Path write(Champion champion, MsPacManTaskSettings settings, int games) {
         Path folder = champion.runFolder()
-                .orElseThrow(
-                        () -> new UserError(champion.file() + ": stands alone; the original's report draws from the"
-                                + " seed of a run and is written into its folder"));
+                .orElseThrow(() ->
+                        new UserError(champion.file() + ": is not in the folder of a run; the original's report uses"
+                                + " the seed of the run and is written into its folder"));
         String seed = champion.parameters().getOrDefault("randomSeed", "0");
         Path file = folder.resolve(RunLayout.evaluationReport(
                 RunLayout.prefixIn(folder), champion.genotype().id()));

@@ -48,7 +48,7 @@ public final class GhostLocationRecorder {
      */
     public GhostLocationRecorder(MsPacManTaskSettings settings, Genotype champion, int wanted, long seed) {
         if (wanted < 1) {
-            throw new IllegalArgumentException("at least 1 observation must be wanted, not " + wanted);
+            throw new IllegalArgumentException("number of observations must be at least 1, is " + wanted);
         }
         this.settings = settings.withTrials(1);
         this.champion = champion;

@@ -130,9 +130,9 @@ public final class GameRecording implements EvaluationObserver {
                     case ALL_LEVELS_BEATEN -> "All mazes cleared";
                     case LOST_ALL_LIVES ->
                         "Caught" + catcher(game).map(g -> " by " + g).orElse("");
-                    case LEVEL_TIME_LIMIT -> "Time for the maze is over";
-                    case GAME_TIME_LIMIT -> "Time for the game is over";
-                    case PUNISHED -> "Over for a power pill";
+                    case LEVEL_TIME_LIMIT -> "Time limit of the maze reached";
+                    case GAME_TIME_LIMIT -> "Time limit of the game reached";
+                    case PUNISHED -> "Ended by a power pill";
                 };
         return what + " · " + String.format(java.util.Locale.ROOT, "%,d points", game.getScore());
     }

@@ -75,7 +75,7 @@ public final class GameWindow implements EvaluationObserver {
                 (int) (LARGEST_SHARE_OF_SCREEN * screen.width), (int) (LARGEST_SHARE_OF_SCREEN * screen.height));
         BufferedImage image = picture.newImage(scale);
         canvas.setPreferredSize(new Dimension(image.getWidth(), image.getHeight()));
-        frame = new JFrame("Ms. Pac-Man (space: halt, go on)");
+        frame = new JFrame("Ms. Pac-Man (space: pause, continue)");
         frame.add(canvas);
         frame.pack();
         frame.setLocationRelativeTo(null);
@@ -123,7 +123,7 @@ public final class GameWindow implements EvaluationObserver {
         private boolean halted;
 
         Canvas() {
-            String action = "halt or go on";
+            String action = "pause or continue";
             getInputMap(WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0), action);
             getActionMap().put(action, new AbstractAction() {
                 @Override

@@ -39,7 +39,7 @@ public final class RecordedStates {
             isCaptured = true;
         }
         if (!isCaptured) {
-            throw new IllegalArgumentException("the recording has no state of a level that the rules have");
+            throw new IllegalArgumentException("the recording has no state in a level of these rules");
         }
         // Not from the game: its last state may be one that was left out.
         int score = step.score;

@@ -65,7 +65,7 @@ public final class ReplayRecorder {
      */
     public ReplayRecorder(ReplayNetwork network, int detailEvery) {
         if (detailEvery < 1) {
-            throw new IllegalArgumentException("details are kept every 1, 2, ... steps, not every " + detailEvery);
+            throw new IllegalArgumentException("steps between two details must be at least 1, are " + detailEvery);
         }
         this.network = network;
         this.detailEvery = detailEvery;

@@ -121,7 +121,7 @@ public final class ExperimentReport {
                                 .map(experiment -> champions(experiment, replays))
                                 .collect(Collectors.joining()))
                 .with("settings", settings())
-                .withText("replays", hasReplays ? "; the replays stand in the folder beside it" : "")
+                .withText("replays", hasReplays ? "; the replays are in the folder beside it" : "")
                 .html();
     }
 
@@ -135,8 +135,9 @@ public final class ExperimentReport {
         html.append("<p>").append(Page.escape(report.overall())).append("</p>\n");
         if (!report.pairs().rows().isEmpty()) {
             html.append("<h4>All pairs</h4>\n").append(Html.table(report.pairs()));
-            html.append("<p>Two-sided Mann-Whitney U test; p corrected after Bonferroni; A is the chance that the first"
-                    + " scores higher; * marks corrected p below 0.05.</p>\n");
+            html.append(
+                    "<p>Two-sided Mann-Whitney U test with Bonferroni correction; A is the probability that the first"
+                            + " method scores higher; * marks corrected p below 0.05.</p>\n");
         }
         if (report.hasPaper()) {
             html.append("<h4>Against the paper's champions</h4>\n").append(Html.table(report.againstPaper()));
@@ -148,7 +149,7 @@ public final class ExperimentReport {
         RunResult best = experiment.best();
         StringBuilder html =
                 new StringBuilder("<h3>" + Page.escape(experiment.label()) + "</h3>\n<div class=\"scroll\">"
-                        + "<table><thead><tr><th>run</th><th>when chosen</th><th>games after evolution</th><th>mean</th><th>95 % interval</th>"
+                        + "<table><thead><tr><th>run</th><th>score when chosen</th><th>games after evolution</th><th>mean</th><th>95 % interval</th>"
                         + "<th>most-used module</th><th>modules</th><th>neurons</th><th>links</th><th>replay</th>"
                         + "<th>network</th></tr></thead><tbody>\n");
         for (RunResult run : experiment.runs()) {
@@ -163,8 +164,8 @@ public final class ExperimentReport {
             network(html, run, replays.apply(experiment, run));
         }
         return html.append(
-                        "</tbody></table></div>\n<p>\u2605 the best. A champion is chosen in the last generation that has children, by the"
-                                + " score in that column; the learning curves go one generation further.</p>\n")
+                        "</tbody></table></div>\n<p>\u2605 marks the best champion. A champion is chosen in the last generation that has children,"
+                                + " by the score in the column \"score when chosen\"; the learning curves show one generation more.</p>\n")
                 .toString();
     }
 

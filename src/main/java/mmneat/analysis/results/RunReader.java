@@ -64,7 +64,8 @@ public final class RunReader {
             return column(table, 1, ",", RunLayout.championScoreColumnOfTable());
         }
         Path log = RunLayout.parentsLogIn(folder)
-                .orElseThrow(() -> new UserError(folder + ": has no " + RunLayout.GENERATIONS + " any more"));
+                .orElseThrow(() -> new UserError(
+                        folder + ": " + RunLayout.GENERATIONS + " is missing; restore it or leave the run out"));
         return column(log, 0, "\t", ParentsLog.championScoreColumn(log));
     }
 
@@ -136,7 +137,7 @@ public final class RunReader {
         try {
             T value = JSON.readValue(file.toFile(), type);
             if (value == null) {
-                throw new UserError(file + ": is damaged (it is null)" + remedy);
+                throw new UserError(file + ": is damaged (its content is null)" + remedy);
             }
             return value;
         } catch (JacksonException e) {

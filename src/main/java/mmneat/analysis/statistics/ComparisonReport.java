@@ -82,8 +82,8 @@ public final class ComparisonReport {
     public String overall() {
         if (comparison == null) {
             return samples.isEmpty()
-                    ? "No group: no run has a score that can be compared."
-                    : "One group only: nothing to compare it with.";
+                    ? "Nothing to compare: no run has a score."
+                    : "Nothing to compare: there is only one group.";
         }
         KruskalWallis test = comparison.kruskalWallis();
         return "Kruskal-Wallis: H = " + Numbers.decimal(test.h(), 3) + ", df = " + test.degreesOfFreedom() + ", p = "
@@ -159,7 +159,7 @@ public final class ComparisonReport {
         if (comparison != null) {
             text.append("\nAll pairs: two-sided Mann-Whitney U, Bonferroni for ")
                     .append(Numbers.counted(comparison.comparisons(), "comparison"))
-                    .append("; A is the chance that the first is higher\n\n")
+                    .append("; A is the probability that the first scores higher\n\n")
                     .append(pairs().text())
                     .append("* corrected p below ")
                     .append(Comparison.SIGNIFICANCE)

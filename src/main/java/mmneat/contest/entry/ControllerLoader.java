@@ -198,8 +198,7 @@ public final class ControllerLoader {
     private static void requireMoves(Class<?> type, Class<?> moves, String meaning) {
         Class<?> answers = typeOfAnswers(type).or(() -> typeOfDecision(type)).orElse(moves);
         if (!moves.isAssignableFrom(answers)) {
-            throw new UserError(
-                    type.getName() + " does not decide on " + meaning + "; it answers with " + answers.getSimpleName());
+            throw new UserError(type.getName() + " must return " + meaning + ", returns " + answers.getSimpleName());
         }
     }
 

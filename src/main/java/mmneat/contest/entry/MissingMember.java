@@ -12,9 +12,9 @@ public final class MissingMember {
     public static String explanation(Throwable failure) {
         for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
             if (isOfTheSimulator(cause)) {
-                return "; release 6.2 of the competition never had this "
+                return "; release 6.2 of the competition has no such "
                         + (cause instanceof NoClassDefFoundError ? "class" : "member")
-                        + ", the entry was written for another version of the simulator";
+                        + ", so the entry was written for another version of the simulator";
             }
         }
         return "";

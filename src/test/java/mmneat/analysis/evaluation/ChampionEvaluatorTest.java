@@ -118,7 +118,7 @@ class ChampionEvaluatorTest {
             assertThatThrownBy(() -> evaluate(Rules.TRAINING, 5, 1))
                     .isInstanceOf(UserError.class)
                     .hasMessage(run.resolve("evaluation-training.csv")
-                            + ": another evaluation writes it just now; wait until it is done");
+                            + ": another evaluation is writing this file; wait until it has finished");
             other.append(List.of());
         }
         assertThat(table()).isEqualTo(table);

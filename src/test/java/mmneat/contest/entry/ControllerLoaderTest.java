@@ -174,9 +174,8 @@ class ControllerLoaderTest {
         ControllerLoader loader = new ControllerLoader(List.of(classes));
         assertThatThrownBy(() -> loader.pacMan("Ghosts"))
                 .isInstanceOf(UserError.class)
-                .hasMessageContaining(
-                        "Ghosts does not decide on moves for Ms. Pac-Man (MOVE); it answers with EnumMap");
-        assertThatThrownBy(() -> loader.ghosts("Pac")).hasMessageContaining("it answers with MOVE");
+                .hasMessageContaining("Ghosts must return moves for Ms. Pac-Man (MOVE), returns EnumMap");
+        assertThatThrownBy(() -> loader.ghosts("Pac")).hasMessageContaining("returns MOVE");
         assertThat(loader.pacMan("Pac").create()).isNotNull();
         assertThat(loader.ghosts("Raw").create()).isNotNull();
     }
@@ -238,10 +237,9 @@ class ControllerLoaderTest {
         ControllerLoader loader = new ControllerLoader(List.of());
         assertThatThrownBy(() -> loader.pacMan("Legacy"))
                 .isInstanceOf(UserError.class)
-                .hasMessageContaining("does not decide on moves for Ms. Pac-Man (MOVE); it answers with EnumMap");
+                .hasMessageContaining("must return moves for Ms. Pac-Man (MOVE), returns EnumMap");
         assertThatThrownBy(() -> loader.ghosts("StarterPacMan"))
-                .hasMessageContaining(
-                        "does not decide on moves for the ghosts (EnumMap<GHOST, MOVE>); it answers with MOVE");
+                .hasMessageContaining("must return moves for the ghosts (EnumMap<GHOST, MOVE>), returns MOVE");
         assertThatThrownBy(() -> loader.ghosts("pacman.Executor")).hasMessageContaining("is not a controller");
         assertThatThrownBy(() -> loader.ghosts("pacman.controllers.NewGhostController"))
                 .hasMessageContaining("is abstract");
@@ -418,10 +416,10 @@ class ControllerLoaderTest {
                         + " public pacman.game.Constants.MOVE getMove(pacman.game.Game game, long due) { return null; } }");
         assertThatThrownBy(() -> made(classes, "Early"))
                 .isInstanceOf(UserError.class)
-                .hasMessageContaining("release 6.2 of the competition never had this class");
+                .hasMessageContaining("release 6.2 of the competition has no such class");
         assertThat(MissingMember.explanation(new NoSuchMethodError("'int pacman.game.Game.getThing()'")))
-                .contains("never had this member");
-        assertThat(MissingMember.explanation(new NoSuchFieldError("THING"))).contains("never had this member");
+                .contains("has no such member");
+        assertThat(MissingMember.explanation(new NoSuchFieldError("THING"))).contains("has no such member");
         assertThat(MissingMember.explanation(new NoSuchMethodError("'int my.Library.size()'")))
                 .isEmpty();
         assertThat(MissingMember.explanation(new NoClassDefFoundError("pacman/entries/pacman/Mine")))
