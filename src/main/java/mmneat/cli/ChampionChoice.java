@@ -10,29 +10,30 @@ import picocli.CommandLine.Option;
 /** The option {@code champion=}: a shipped network, instead of a file or the folder of a run. */
 final class ChampionChoice {
 
-    private static final class Versions extends ArrayList<String> {
-        Versions() {
-            super(ShippedChampions.versions());
+    private static final class Names extends ArrayList<String> {
+        Names() {
+            super(ShippedChampions.names());
         }
     }
 
     @Option(
             names = "champion",
-            paramLabel = "TASK",
-            completionCandidates = Versions.class,
-            description = "Uses, instead of FILE, the champion that comes with the program for this version of the task"
-                    + " (${COMPLETION-CANDIDATES}).")
-    private String version;
+            paramLabel = "NAME",
+            completionCandidates = Names.class,
+            description =
+                    "Uses, instead of FILE, a champion that comes with the program, named after the task's version"
+                            + " (${COMPLETION-CANDIDATES}).")
+    private String name;
 
     boolean isGiven() {
-        return version != null;
+        return name != null;
     }
 
     /**
      * Reads the network that the user chose.
      *
      * @param file the folder of a run or the file of a network; null if none is given
-     * @param otherwise version of the champion to read if neither is given; if null, that is an error
+     * @param otherwise name of the champion to read if neither is given; if null, that is an error
      * @throws UserError if no network or more than one is chosen
      */
     Champion read(Path file, String otherwise) {
@@ -44,8 +45,8 @@ final class ChampionChoice {
         }
         if (!isGiven() && otherwise == null) {
             throw new UserError("no network is given; name a run's folder or a file, or write champion="
-                    + String.join("|", ShippedChampions.versions()));
+                    + String.join("|", ShippedChampions.names()));
         }
-        return ShippedChampions.read(isGiven() ? version : otherwise);
+        return ShippedChampions.read(isGiven() ? name : otherwise);
     }
 }

@@ -21,7 +21,7 @@ import pacman.game.Constants.MOVE;
 /** Loads Ms. Pac-Man's controllers with an evolved network: a run's champion, a file, or a shipped champion. */
 final class NetworkPlayer {
 
-    /** Prefix of the names of shipped champions; the version of the task follows. */
+    /** Prefix that marks the name of a shipped champion. */
     static final String SHIPPED = "champion:";
 
     private NetworkPlayer() {}
@@ -45,19 +45,19 @@ final class NetworkPlayer {
         if (!name.toLowerCase(Locale.ROOT).startsWith(SHIPPED)) {
             return Champion.read(Path.of(name));
         }
-        String version = name.substring(SHIPPED.length());
-        if (!ShippedChampions.versions().contains(version)) {
+        String champion = name.substring(SHIPPED.length());
+        if (!ShippedChampions.names().contains(champion)) {
             throw OptionValues.badValue(
-                    "pacman", name, SHIPPED + " and one of " + String.join(", ", ShippedChampions.versions()));
+                    "pacman", name, SHIPPED + " and one of " + String.join(", ", ShippedChampions.names()));
         }
-        return ShippedChampions.read(version);
+        return ShippedChampions.read(champion);
     }
 
     /**
      * Returns a factory of controllers with a network. The parameters of a run determine the sensors and module choice
      * of its networks. Other networks use those of the published networks with the same number of inputs.
      *
-     * @param name a run's folder, a file, or {@link #SHIPPED} and a version
+     * @param name a run's folder, a file, or {@link #SHIPPED} and the name of a champion
      * @param division the division of a multitask network, if the user gives one
      * @param jar the jar of the classes that the parameters of the network's run name
      * @throws UserError if there is no network, or it does not play Ms. Pac-Man

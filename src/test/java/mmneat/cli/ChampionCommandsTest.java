@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import mmneat.neat.io.GenotypeJson;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -52,15 +53,27 @@ class ChampionCommandsTest extends CommandTest {
         assertThat(execute("play", "pacman=champion:blended", "rules=blended")).isZero();
         assertThat(out.toString()).startsWith("champion:blended against Legacy, 1 game");
         assertMistakeAtWork(
-                "pacman=champion:x: must be champion: and one of blended, interleaved, isolated",
+                "pacman=champion:x: must be champion: and one of blended, interleaved, isolated, blended-2M5",
                 "play",
                 "pacman=champion:x");
     }
 
     @Test
+    void bestChampionOfTheStudy_isShippedAsTheStudyHasIt() throws IOException {
+        Path written = folder.resolve("champion.json");
+        assertThat(execute("network", "champion=blended-2M5", "format=json", "out=" + written))
+                .isZero();
+        assertThat(GenotypeJson.read(Files.readString(written)))
+                .isEqualTo(GenotypeJson.read(Files.readString(Path.of("docs/study/blended/2M5/champion.json"))));
+        assertThat(execute("play", "pacman=champion:blended-2M5", "rules=blended"))
+                .isZero();
+    }
+
+    @Test
     void unknownOrAmbiguousChampion_isAnError() {
         assertMistakeAtWork("no network is given", "watch");
-        assertMistakeAtWork("champion=x: must be one of blended, interleaved, isolated", "watch", "champion=x");
+        assertMistakeAtWork(
+                "champion=x: must be one of blended, interleaved, isolated, blended-2M5", "watch", "champion=x");
         assertMistakeAtWork("both a file and champion= are given", "watch", "champion.json", "champion=blended");
     }
 
