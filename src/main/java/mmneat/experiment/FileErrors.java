@@ -6,12 +6,18 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
-/** Turns file exceptions into readable messages; the message of many is only the file's name. */
+/**
+ * Converter of file exceptions to messages for the user. Java's own messages are not enough: that of most file
+ * exceptions is only the name of the file.
+ */
 public final class FileErrors {
 
     private FileErrors() {}
 
-    /** Returns the reason, to follow the name of the file. */
+    /**
+     * Returns the reason alone, for example "permission denied". For callers that have put the name of the file into
+     * the message themselves.
+     */
     public static String reason(IOException e) {
         if (e instanceof NoSuchFileException) {
             return "there is no such file";
@@ -32,7 +38,10 @@ public final class FileErrors {
         return e.getClass().getSimpleName() + ": " + e.getMessage();
     }
 
-    /** Returns the file, if known, and the reason. */
+    /**
+     * Returns the text "FILE: REASON", or the reason alone if the exception does not know the file. For callers that do
+     * not know which file failed.
+     */
     public static String sentence(IOException e) {
         return e instanceof FileSystemException failure && failure.getFile() != null
                 ? failure.getFile() + ": " + reason(e)

@@ -6,7 +6,10 @@ import com.fasterxml.jackson.databind.exc.MismatchedInputException;
 import com.fasterxml.jackson.databind.exc.UnrecognizedPropertyException;
 import com.fasterxml.jackson.databind.exc.ValueInstantiationException;
 
-/** Turns exceptions about JSON files into readable messages; the library's own name Java classes and settings. */
+/**
+ * Converter of exceptions about JSON files to messages for the user. The messages of the JSON library are not readable
+ * for users: they contain names of Java classes and of settings of the library.
+ */
 public final class JsonProblem {
 
     private JsonProblem() {}

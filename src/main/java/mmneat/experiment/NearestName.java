@@ -13,7 +13,8 @@ public final class NearestName {
     /**
      * Returns the known name with the smallest edit distance to {@code typed}, ignoring case.
      *
-     * @return empty if no name is near: within a third of the letters, or two letters (one in short names)
+     * @return empty if no known name is near. With n the length of the longer one of the two names, a name is near at
+     *     an edit distance of at most max(2, n / 3); of at most 1 if n is 2 or 3; and only at 0 if n is 1
      */
     public static Optional<String> to(String typed, Collection<String> known) {
         return known.stream()

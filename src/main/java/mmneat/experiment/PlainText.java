@@ -42,8 +42,9 @@ public final class PlainText {
     }
 
     /**
-     * Returns the class and the message of what foreign code threw, as {@link #shown(String)} does. If its own methods
-     * fail, the class alone.
+     * Returns the class and the message of an exception that foreign code threw (the user's own classes or a contest's
+     * entry), made printable by {@link #shown(String)}. If {@code toString} of the exception fails itself, the result
+     * is the name of the class alone.
      */
     public static String shown(Throwable thrown) {
         try {

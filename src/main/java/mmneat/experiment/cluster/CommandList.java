@@ -13,6 +13,9 @@ public final class CommandList {
     /**
      * Returns the commands of all runs of {@code job}. Each command is complete: it first changes into the working
      * folder.
+     *
+     * @param resources the Java program, the number of threads and the size of Java's heap in each command; the time
+     *     limit is not used
      */
     public static List<String> of(ExperimentJob job, JobResources resources) {
         return job.runs().stream().map(run -> command(job, resources, run)).toList();

@@ -15,7 +15,8 @@ import mmneat.experiment.PlainText;
  * @param folder folder of the job files and of the jobs' output, for instance {@code results/blended}
  * @param workingFolder absolute folder in which the jobs start, so that relative paths in {@code words} stay valid
  * @param jar absolute path of {@code mmneat.jar} as the jobs see it
- * @param words the words that describe the experiment, without {@code run} and {@code runs}
+ * @param words the parameters of the experiment as arguments of the command line, each {@code name=value}, without
+ *     {@code run} and {@code runs}
  * @param runs numbers of the runs, ascending, without repetition, not empty
  */
 public record ExperimentJob(

@@ -9,11 +9,21 @@ import mmneat.experiment.UserError;
 /**
  * The batch script of one experiment for Slurm: a job array with one task per run.
  *
- * <p>The script handles the exit code of a run as follows. 0: complete. 143 after the warning that the time limit is
- * near: the run saved, and the script queues it again. 143 otherwise (scancel, pre-emption): the run saved, and Slurm
- * decides. 3: the run's folder is locked. After a restart this is the lock of the killed predecessor, which becomes
- * stale while the script waits. 2: an error in the words, which a restart cannot fix. Any other code is a crash, and
- * the run is tried again three times.
+ * <p>The script runs {@code mmneat.jar} and acts on its exit code:
+ *
+ * <table>
+ *   <caption>Exit codes</caption>
+ *   <tr><th>code</th><th>meaning</th><th>what the script does</th></tr>
+ *   <tr><td>0</td><td>the run is complete</td><td>ends</td></tr>
+ *   <tr><td>2</td><td>an error in the parameters</td><td>ends: a restart cannot fix it</td></tr>
+ *   <tr><td>3</td><td>another process holds the lock of the run's folder</td><td>ends if this is the first start. After
+ *       a restart, the lock is probably that of the killed process of the previous start: the script waits three
+ *       minutes, until such a lock no longer counts, and queues the job again</td></tr>
+ *   <tr><td>143</td><td>the run saved and ended after the signal SIGTERM</td><td>queues the job again if the reason was
+ *       the time limit, of which Slurm warns two minutes before. Otherwise (scancel, pre-emption) it ends, and Slurm
+ *       decides by its own settings whether the job starts again</td></tr>
+ *   <tr><td>other</td><td>a crash</td><td>queues the job again, at most three times</td></tr>
+ * </table>
  */
 public final class SlurmScript {
 
@@ -87,9 +97,10 @@ public final class SlurmScript {
     }
 
     /**
-     * Returns the text of the script. Slurm reads quotes in its {@code #SBATCH} lines like a shell.
+     * Returns the text of the script.
      *
-     * @param options additional options of sbatch by name, for instance {@code partition} = {@code long}
+     * @param options additional options of sbatch by name, for instance {@code partition} = {@code long}; the values
+     *     are unquoted, and this method quotes them for the {@code #SBATCH} lines
      */
     public static String of(ExperimentJob job, JobResources resources, Map<String, String> options) {
         StringBuilder furtherOptions = new StringBuilder();

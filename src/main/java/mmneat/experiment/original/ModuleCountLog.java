@@ -8,8 +8,9 @@ import mmneat.evolution.SampleStatistics;
 import mmneat.experiment.store.RunLayout;
 
 /**
- * The log of module numbers (ModeUsage): how many modules the best and the worst parents have, and the best score for
- * each number of modules.
+ * The log of module counts, which the original calls ModeUsage. A row has the number of modules of the best and of the
+ * worst parents by mean game score (in tasks without other scores, by the first objective), and the best such score
+ * among the parents with one module, with two modules, and so on.
  *
  * <p>Source: docs/specification/evolution.md, section 5.2 (ModeUsage).
  */

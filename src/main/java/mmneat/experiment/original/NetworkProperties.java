@@ -9,7 +9,9 @@ import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
 
 /**
- * The values of the log of networks for one network: sizes, module usage, and which inputs it uses.
+ * The properties of one network that the log of networks (TWEANNData) records: sizes, module usage, and which inputs
+ * are used. {@link PopulationLog} makes a row of the log from them: minimum, mean, maximum and deviation of each
+ * property over a population.
  *
  * <p>Source: docs/specification/evolution.md, section 5.2 (TWEANNData).
  */

@@ -23,8 +23,13 @@ import mmneat.neat.io.GenotypeXml;
  * networks and archetype.
  *
  * <p>All files of a generation are written at its end. An interrupted generation is evolved again, with the same files.
- * If only the newest networks are wanted, {@link #writeNewestNetworks} writes them instead: they follow from the
- * checkpoint, and most would be deleted at once.
+ *
+ * <p>The files of networks are an exception if only the newest are wanted ({@link Choice#NEWEST_NETWORKS_ONLY}). The
+ * next generation would delete them, so {@link #generationCompleted} does not write them. The caller has them written
+ * by {@link #writeNewestNetworks}. Nothing is lost if the program ends before: they can be computed again from the
+ * checkpoint.
+ *
+ * <p>The archetype is the population-wide list of neurons, which fixes their order in every genotype.
  *
  * <p>Source: docs/specification/evolution.md, section 5.
  */
@@ -39,15 +44,15 @@ public final class RunFiles implements EvolutionObserver {
     private final PopulationLog networksLog;
     private final PopulationLog performanceLog;
 
-    /** The groups of files to write. The names in brackets are the parameters. */
+    /** A group of files to write, or a restriction. The parameter that decides on it is named in parentheses. */
     public enum Choice {
         /** Score files, logs and gnuplot scripts ({@code io}). */
         LOGS,
         /** Networks, archetype and champions ({@code netio}). */
         NETWORKS,
-        /** The log of module numbers, for networks that may have several modules. */
+        /** The log of module counts, for networks that may have several modules (no parameter). */
         MODULE_COUNTS,
-        /** The networks of earlier generations are deleted ({@code cleanOldNetworks}). */
+        /** Only the networks of the newest generation are kept ({@code cleanOldNetworks}). */
         NEWEST_NETWORKS_ONLY
     }
 
@@ -82,8 +87,15 @@ public final class RunFiles implements EvolutionObserver {
     }
 
     /**
-     * Writes the networks of the next parents and the archetype; earlier ones are deleted if only the newest are
-     * wanted. Call it after the last generation; it may also be called before.
+     * Writes the networks of the population of this state and the archetype. If only the newest networks are wanted,
+     * the folders of networks of other generations are deleted; the archetype is one file, which is replaced.
+     *
+     * <p>If only the newest networks are wanted, the caller must call this after the last generation, and may call it
+     * after any other one. Otherwise {@link #generationCompleted} has already written the same files, and a call does
+     * no harm.
+     *
+     * @param next the state after a completed generation: its population are the parents of the next generation,
+     *     whether or not that is evolved
      */
     public void writeNewestNetworks(EvolutionState next) {
         if (!choices.contains(Choice.NETWORKS)) {

@@ -74,7 +74,10 @@ public final class RunSummaries {
         output.flush();
     }
 
-    /** Writes for each run the hypervolume and the size of its parents' front in every generation. */
+    /**
+     * Writes for each run one row per generation: the hypervolume of the parents and the size of their Pareto front.
+     * {@link #write} includes this.
+     */
     public void writeHypervolumes(List<Integer> runs) {
         for (int run : runs) {
             RunFolder folder = folderOf(run);

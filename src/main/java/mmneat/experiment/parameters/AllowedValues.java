@@ -13,15 +13,16 @@ import java.util.List;
  */
 record AllowedValues(double minimum, double maximum, List<String> choices, Extension extension) {
 
-    /** Values that extend a list of choices. */
+    /** The kind of values that are allowed besides the listed choices. */
     enum Extension {
+        /** Only the listed choices. */
         NONE(""),
-        /** The name of a class of the user's own. */
+        /** Also the name of a class of the user's own. */
         OWN_CLASS("<class>"),
-        /** A hybrid method. */
+        /** Also the short name of a hybrid method, such as {@code H21}. */
         HYBRID("<hybrid>");
 
-        /** How the catalogue's list ends that is so extended. */
+        /** The last word of the list in the catalogue that stands for this kind. */
         private final String mark;
 
         Extension(String mark) {

@@ -24,8 +24,13 @@ import mmneat.nsga2.ParentSelection;
 import mmneat.nsga2.Selection;
 
 /**
- * The parameters of an evolution except those of its task. Components have the names of the parameters, which the
- * catalogue describes.
+ * The parameters that the evolution reads: seeds, population, network structure, mutation, crossover, selection. Each
+ * component has the name of a parameter; the catalogue ({@code parameters.csv}, {@link ParameterCatalogue}) describes
+ * it.
+ *
+ * <p>Three components are also read by the task and so are components of {@link GameParameters}, too: {@code
+ * multitaskModes} is here the number of modules of the first networks and there the number of modules of the division;
+ * {@code disabledMode} is only checked here; {@code jar} is where both load the user's own classes from.
  */
 public record EvolutionParameters(
         int randomSeed,

@@ -37,7 +37,9 @@ import pacman.game.PillRules;
 import pacman.maze.Mazes;
 
 /**
- * The parameters of the Ms. Pac-Man task. Components have the names of the parameters, which the catalogue describes.
+ * The parameters that the Ms.&nbsp;Pac-Man task reads. Each component has the name of a parameter; the catalogue
+ * ({@code parameters.csv}, {@link ParameterCatalogue}) describes it. Some are also components of {@link
+ * EvolutionParameters}, whose comment says which and why.
  */
 record GameParameters(
         int trials,

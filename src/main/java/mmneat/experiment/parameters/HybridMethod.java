@@ -14,7 +14,8 @@ import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * A hybrid method: a human-specified division chooses a group of modules, preference neurons choose within the group.
+ * A hybrid of the two ways in which the paper chooses modules. A division, a rule written by a human, chooses a group
+ * of modules by the situation in the game; of that group, the module whose preference neuron is highest decides.
  *
  * <p>Its short name has one digit for each group, the number of its modules: {@code H21}. {@code H21MMD} adds module
  * mutation by duplication within the groups. On the command line, the groups may also be named: {@code
@@ -35,7 +36,7 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
         sizes = List.copyOf(sizes);
     }
 
-    /** The method with a short name; empty if the name is not that of a hybrid. */
+    /** Returns the method with a short name, such as {@code H21}; empty for any other text, also for the long form. */
     public static Optional<HybridMethod> of(String name) {
         Matcher form = SHORT_FORM.matcher(name);
         if (!form.matches()) {
@@ -45,7 +46,10 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
                 form.group(1).chars().map(digit -> digit - '0').boxed().toList(), form.group(2) != null));
     }
 
-    /** Whether a value of {@code method} names its groups. */
+    /**
+     * Whether a value of the parameter {@code method} has the long form, which names the groups. {@link
+     * ParameterReader#read} replaces a long form by the short one, so checked {@link Parameters} never contain it.
+     */
     public static boolean isLongForm(String value) {
         return value.startsWith(LONG_FORM);
     }

@@ -5,10 +5,13 @@ import java.util.stream.Collectors;
 import mmneat.experiment.UserError;
 
 /**
- * The code that parameters name: classes of the user's own.
+ * The check that the command line allows the classes that the parameters name. It loads no class; {@link OwnClasses}
+ * loads them after this check.
  *
- * <p>A parameter file, as in the folder of a run, may come from someone else. So code is loaded only if the command
- * line names its jar, or the class itself where that is on the class path.
+ * <p>A parameter file may come from another person, for example with the folder of a run. A class that only such a file
+ * names must not be executed. A class is allowed in two cases. First, the command line gives {@code jar=}, also with an
+ * empty value. Second, no jar is named at all, so that the class can only be on the class path, and the command line
+ * itself gives the parameter that names the class.
  */
 final class NamedCode {
 
@@ -25,7 +28,7 @@ final class NamedCode {
      * Makes sure that the command line allows all code that is loaded.
      *
      * @param isGame whether the task is Ms. Pac-Man, not a task of the user's own
-     * @param forGames whether networks only play, so that what decides their evolution is not loaded
+     * @param forGames whether networks only play, so that the classes of the evolution are not loaded and not checked
      * @throws UserError naming the parameter that asks for code, and how to allow it
      */
     void requireAllowed(boolean isGame, boolean forGames) {

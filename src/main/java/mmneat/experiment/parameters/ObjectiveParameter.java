@@ -11,7 +11,11 @@ import mmneat.mspacman.objectives.NamedObjectives;
 import mmneat.mspacman.objectives.Objective;
 import pacman.game.GameRules;
 
-/** The parameter {@code objectives}: recorded scores by their names, and classes of the user's own. */
+/**
+ * Converter of the parameter {@code objectives} to the objectives of the Ms.&nbsp;Pac-Man task. Each word of the list
+ * is the name of a score that the game itself records ({@link NamedObjectives#names} lists them), or the name of a
+ * class of the user's own, of which an object is made.
+ */
 final class ObjectiveParameter {
 
     private static final String NAME = "objectives";

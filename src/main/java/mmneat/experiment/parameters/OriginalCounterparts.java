@@ -6,8 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * This program's replacements for parameters, experiment classes and modes of the original that are refused. Source:
- * docs/specification/evolution.md, sections 4.1 and 6.1.
+ * Texts for error messages: what to use instead of a feature of the original that this program refuses. The features
+ * are parameters, experiment classes, and program modes (the first argument of the original, such as {@code process}).
+ *
+ * <p>Source: docs/specification/evolution.md, sections 4.1 and 6.1.
  */
 final class OriginalCounterparts {
 

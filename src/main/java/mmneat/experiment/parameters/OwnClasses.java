@@ -11,7 +11,10 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
-/** Loads the user's classes that parameters name, from the class path or from {@code jar=FILE}. */
+/**
+ * Loader of the user's classes that parameters name, from the class path or from {@code jar=FILE}. {@link NamedCode}
+ * checks before whether they may be loaded.
+ */
 final class OwnClasses {
 
     private static final Pattern NAME = Pattern.compile("\\p{javaJavaIdentifierStart}\\p{javaJavaIdentifierPart}*"

@@ -11,8 +11,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * The parameter {@code ghostTeam} with a class of the user's own: any controller of the ghosts, for example a contest's
- * entry.
+ * Factory of the ghosts' controllers if the parameter {@code ghostTeam} names a class of the user's own: any controller
+ * of the ghosts, for example a contest's entry.
  */
 final class OwnGhosts {
 

@@ -12,7 +12,7 @@ import mmneat.experiment.UserError;
  *
  * @param name the name; for most parameters that of the original
  * @param type type of the value
- * @param defaultValue the value if none is given, in canonical form
+ * @param defaultValue the value if none is given, in canonical form ({@link #check})
  * @param support whether this program supports it
  * @param allowed the values that it may have
  * @param group heading under which it is listed
@@ -40,7 +40,7 @@ public record Parameter(
             "Evolution extras",
             "TUG");
 
-    /** Whether this program supports a parameter. */
+    /** The kind of support that this program gives to a parameter. */
     public enum Support {
         /** The parameter has its described effect. */
         YES,
@@ -55,9 +55,11 @@ public record Parameter(
     }
 
     /**
-     * The value in canonical form.
+     * Checks a value and returns it in canonical form: equal values have equal texts. For example, {@code 1e-1} becomes
+     * {@code 0.1}, {@code TRUE} becomes {@code true}, and a class of the original loses its package.
      *
-     * @throws UserError naming the parameter, the value and what is allowed
+     * @param text the value as it was given
+     * @throws UserError if the value is not allowed; the message names the parameter, the value and what is allowed
      */
     public String check(String text) {
         PlainText.require(name, PlainText.trimmed(text));

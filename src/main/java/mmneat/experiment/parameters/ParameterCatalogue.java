@@ -17,7 +17,8 @@ import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 
 /**
- * The list of all parameters: those of the original, supported or not, and the short ones for everyday use.
+ * The list of all parameters: those of the original, supported or not, and those of this program alone for everyday
+ * use, such as {@code runs} and {@code method}.
  *
  * <p>The catalogue is data, the table {@code parameters.csv} beside this class, so that the command line, the help, the
  * documentation and the checks use the same facts. Source: docs/specification/evolution.md, sections 13 and 14.

@@ -44,8 +44,9 @@ public final class ParameterReader {
     }
 
     /**
-     * As {@link #read}, for games with a network whose run the file ({@code config=}) describes. Unsupported values of
-     * parameters that only influence evolution are accepted.
+     * Reads parameters with which an evolved network only plays games, without evolution. The file of parameters
+     * ({@code config=}) is that of the run in which the network evolved, possibly a run of the original. As {@link
+     * #read}, but values for evolution alone are accepted in the file even if this program does not support them.
      *
      * @throws UserError if another word or value is invalid
      */

@@ -5,11 +5,17 @@ import mmneat.experiment.PlainText;
 
 /** The kinds of values that parameters have. */
 public enum ParameterType {
+    /** A whole number of 32 bits. */
     INTEGER("a whole number"),
+    /** A whole number of 64 bits. */
     LONG("a whole number"),
+    /** {@code true} or {@code false}. */
     BOOLEAN("true or false"),
+    /** A floating-point number of 64 bits. */
     DOUBLE("a number"),
+    /** Any text on one line. */
     TEXT("any text"),
+    /** The name of a class, of the original (with or without its package) or of the user's own. */
     CLASS("the name of a class");
 
     private final String description;

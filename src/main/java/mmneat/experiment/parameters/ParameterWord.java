@@ -7,7 +7,7 @@ import mmneat.experiment.UserError;
  * One argument of the command line: a name and a value, in one of two forms. The first separator decides which.
  *
  * <ul>
- *   <li>{@code name=value}: everything behind the sign is the value, nothing at all included.
+ *   <li>{@code name=value}: all text after the first {@code =} is the value. The value may be empty.
  *   <li>{@code name:value}, the original's: split at colons, and of the pieces that are not empty the first two count;
  *       booleans are true for "true" and false for anything else.
  * </ul>

@@ -13,7 +13,7 @@ import java.util.TreeMap;
 import mmneat.experiment.PlainText;
 
 /**
- * The checked values of all parameters: the defaults, overridden by the given layers.
+ * The checked values of all parameters: the defaults, overridden by the layers that are added to them.
  *
  * <p>Immutable. Made by {@link ParameterReader}. Code that needs more than a few values binds them to a record whose
  * components have the parameters' names ({@link #as}).
@@ -68,13 +68,16 @@ public final class Parameters {
         return with(Map.of(name, String.valueOf(value)));
     }
 
-    /** Whether a layer gives a value, even if it is the default. */
+    /**
+     * Whether a layer above the defaults gives the parameter a value: the published settings, the file or the command
+     * line. True also if this value equals the default.
+     */
     public boolean isGiven(String name) {
         catalogue.require(name);
         return given.contains(name);
     }
 
-    /** The value as text, in canonical form. */
+    /** The value as text, in canonical form ({@link Parameter#check}). */
     public String text(String name) {
         catalogue.require(name);
         return values.get(name);

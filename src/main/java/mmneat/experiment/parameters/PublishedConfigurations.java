@@ -17,8 +17,13 @@ import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 
 /**
- * The settings of the sixteen published experiments, one per version of the task and method, from {@code
- * configs/<task>/<method>.properties}. Source: docs/specification/evolution.md, section 9.
+ * The settings of the sixteen published experiments. There is one experiment for each pair of a version of the task and
+ * a method. Its settings are the file {@code configs/<task>/<method>.properties} in the program's jar.
+ *
+ * <p>Only {@link ParameterReader} applies the settings, when {@code task=} and {@code method=} name such a pair. To get
+ * them, read these two words with it.
+ *
+ * <p>Source: docs/specification/evolution.md, section 9.
  */
 public final class PublishedConfigurations {
 
@@ -29,7 +34,7 @@ public final class PublishedConfigurations {
 
     private PublishedConfigurations() {}
 
-    /** The methods with which the version was published. */
+    /** Returns the names of the methods with which the paper evaluated this version, in the paper's order. */
     public static List<String> methodsOf(TaskVersion version) {
         return METHODS.stream()
                 .filter(method -> PublishedConfigurations.class.getResource(resource(version, method)) != null)

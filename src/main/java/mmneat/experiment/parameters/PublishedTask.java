@@ -11,7 +11,10 @@ import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 
-/** Determines the version of the published task and the method from parameters, by our names or the original's. */
+/**
+ * Rules that determine from parameters which version of the Ms.&nbsp;Pac-Man task and which method a run has.
+ * Parameters may name them as this program does ({@code task=blended}) or as the original does.
+ */
 public final class PublishedTask {
 
     private static final String GAME_CLASS = "MsPacManTask";
@@ -89,7 +92,8 @@ public final class PublishedTask {
     }
 
     /**
-     * Returns the method that the values of the parameters define, whatever its given name.
+     * Returns the method that the number of modules and the mutation rates define. The parameter {@code method} is not
+     * read: runs of the original do not have it, and other parameters of a run may contradict it.
      *
      * @param parameters by name; missing ones have their defaults
      * @return its short name, such as {@code 2M}; empty for a combination without a name
@@ -145,8 +149,12 @@ public final class PublishedTask {
     }
 
     /**
-     * Whether one of the parameters is among those that define a method or an experiment of another paper, so that
-     * another value makes another method.
+     * Whether a run whose values of these parameters differ from the published ones has another method, rather than the
+     * published method with changed settings. That is so if one of them defines the method (number of modules, module
+     * mutation) or is what experiments of other papers with the original changed (sensors, selection, lives). Reports
+     * then do not present the run under the name of the published method.
+     *
+     * @param names names of the parameters that differ
      */
     public static boolean changesTheMethod(Collection<String> names) {
         return !Collections.disjoint(names, PublishedConfigurations.namesOfMethods())
@@ -154,7 +162,9 @@ public final class PublishedTask {
     }
 
     /**
-     * Returns the name of the method of multitask networks.
+     * Returns the name of the method of multitask networks, whose modules a division chooses. Versions with one
+     * published division say {@code MT}. The blended version has two, of two and three modules, so its methods, and
+     * those of a user's task, have the number of modules at the end: {@code MT2}, {@code MT3}.
      *
      * @param version of the task; empty for a user's task
      * @param modules modules of the networks

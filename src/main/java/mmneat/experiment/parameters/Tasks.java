@@ -16,10 +16,14 @@ import pacman.game.GhostLocations;
 /** Factory of the tasks that parameters describe. */
 public final class Tasks {
 
-    /** The parameter that names a file of ghost locations; an empty value means those shipped with the program. */
+    /**
+     * The parameter that names a file of ghost locations: the places of the ghosts, recorded from games, at which the
+     * ghosts start in the games of eating ghosts of the isolated version. An empty value means the recording shipped
+     * with the program.
+     */
     public static final String GHOST_LOCATIONS = "mazePowerPillGhostMapping";
 
-    /** The value, instead of a file, for the recording shipped with the program. */
+    /** The value of {@link #GHOST_LOCATIONS} for the recording shipped with the program: an empty path. */
     public static final Path SHIPPED_LOCATIONS = Path.of("");
 
     private Tasks() {}

@@ -94,7 +94,7 @@ public final class ExperimentRunner {
         RunParametersFile file = new RunParametersFile(run.directory());
         try {
             SymbolicLinks.refuseIn(run.directory());
-            new CheckpointFile(run.directory()).requireNoRun();
+            new CheckpointFile(run.directory()).requireNoOrphanedRun();
             if (file.exists()) {
                 file.requireSame(run.parameters());
             }

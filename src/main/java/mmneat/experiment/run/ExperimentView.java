@@ -37,7 +37,7 @@ import mmneat.experiment.store.RunView;
  */
 public record ExperimentView(String name, Path base, List<RunView> runs) {
 
-    /** Maximum depth of run folders below the given folder. */
+    /** Maximum depth at which {@link #readAll} finds folders of runs below its folder. */
     public static final int DEPTH = 5;
 
     private static final String ASKED = ".runs.json";

@@ -6,16 +6,29 @@ import java.util.function.LongSupplier;
 /** The progress of one run. The run's thread writes it; any thread can read it. */
 public final class RunMonitor {
 
-    /** The phase of a run. */
+    /**
+     * The phase of a run within this execution of the program: from waiting for a thread to its end. Other programs see
+     * {@link mmneat.experiment.store.RunView.State}, which is read from files.
+     */
     public enum Phase {
+        /** No thread has started it yet. */
         WAITING,
+        /** It is evolving. */
         RUNNING,
+        /** It was completed now. */
         FINISHED,
+        /** It had been completed before. Nothing was done. */
         ALREADY_FINISHED,
+        /** Another process holds the lock of its folder. Nothing was done. */
         IN_USE,
-        /** The run cannot be continued in its folder. Nothing in the folder was changed. */
+        /**
+         * The check before the start found an error of the user: the run cannot be started or continued in its folder
+         * with these parameters. Nothing in the folder was changed.
+         */
         REFUSED,
+        /** An exception ended it after it had started. Its folder records why. */
         FAILED,
+        /** The program was interrupted. The same command continues the run. */
         STOPPED
     }
 

@@ -164,7 +164,7 @@ final class RunWorker {
         if (saved.isPresent()) {
             run.requireAtLeast(saved.get().evolution().generation());
         } else {
-            checkpoint.requireNoRun();
+            checkpoint.requireNoOrphanedRun();
         }
         isFolderAccepted = true;
         EvolutionState state = saved.isPresent()

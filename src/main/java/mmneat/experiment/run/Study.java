@@ -21,7 +21,8 @@ import mmneat.mspacman.TaskVersion;
  * <p>It is described by words as on the command line, in which {@code task} and {@code method} may be lists: {@code
  * task=blended,isolated method=1M,2M}. {@code method=all} means all published methods of each task.
  *
- * @param parts the experiments, tasks first, in the order of the words; not empty
+ * @param parts the experiments, not empty: all methods of the first task, then all methods of the second, and so on;
+ *     tasks and methods in the order in which the words list them
  * @param remarks messages to the user, one line each: combinations that were not published and are left out
  */
 public record Study(List<Part> parts, List<String> remarks) {

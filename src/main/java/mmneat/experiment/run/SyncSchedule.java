@@ -4,8 +4,11 @@ import java.time.Duration;
 import java.util.function.LongSupplier;
 
 /**
- * The schedule by which a run syncs its files to the disk. After a failure of the machine, the work since the last sync
- * is done again with the same result. A failure of the program alone loses no synced or unsynced files.
+ * The schedule by which a run syncs its files to the disk: at its first checkpoint in this process, and then at a
+ * checkpoint 30 s or more after the last sync, or once 500 files are unsynced.
+ *
+ * <p>After a failure of the machine (power, operating system), the work since the last sync is done again with the same
+ * result. If only the program crashes, no written file is lost, synced or not.
  */
 final class SyncSchedule {
 

@@ -23,7 +23,9 @@ import mmneat.experiment.UserError;
  * changed.
  *
  * <p>A checkpoint that was synced to the disk together with the files recorded in it survives a failure of the machine.
- * From the first save on, at least one of the two is always synced.
+ * The first checkpoint of a run is synced. An unsynced checkpoint is overwritten by the next one; only a synced one is
+ * kept as the previous checkpoint. So at least one of the two files is always synced, and "previous" means the last
+ * synced checkpoint before the newest one.
  */
 public final class CheckpointFile {
 
@@ -41,7 +43,12 @@ public final class CheckpointFile {
         previous = directory.resolve(RunLayout.PREVIOUS_CHECKPOINT);
     }
 
-    /** Writes the next checkpoint, and syncs it to the disk if the files recorded in it were synced. */
+    /**
+     * Writes the next checkpoint, and syncs it to the disk if the files recorded in it were synced. If the newest
+     * checkpoint so far was synced, it becomes the previous one; otherwise it is overwritten.
+     *
+     * @param checkpoint must be synced if the folder has no checkpoint yet
+     */
     public void save(Checkpoint checkpoint) throws IOException {
         byte[] packed = pack(checkpoint.toJson());
         if (newestOutlivesTheMachine) {
@@ -70,12 +77,13 @@ public final class CheckpointFile {
     }
 
     /**
-     * Checks that the folder has a checkpoint or no files of a run. Otherwise results would be overwritten: those of
-     * the original, or of a run whose checkpoints were deleted.
+     * Checks that the folder has no run that cannot be continued. Allowed are a folder with a checkpoint, from which
+     * the run continues, and a folder without files of a run. Call it before a run starts or continues: in any other
+     * folder it would overwrite the results of the original, or of a run whose checkpoints were deleted.
      *
      * @throws UserError if the folder has files of a run but no checkpoint
      */
-    public void requireNoRun() throws IOException {
+    public void requireNoOrphanedRun() throws IOException {
         if (exists() || !Files.isDirectory(directory)) {
             return;
         }

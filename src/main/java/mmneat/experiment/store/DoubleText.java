@@ -9,8 +9,8 @@ import java.math.BigInteger;
  * sometimes returned one digit more. Files must not depend on the version of Java, so this class implements the older
  * rule.
  *
- * <p>Source: G. L. Steele, J. L. White: How to print floating-point numbers accurately, PLDI 1990, of whose free-format
- * algorithm that rule is a variant; docs/specification/evolution.md, section 5.
+ * <p>The older rule is a variant of the free-format algorithm of Steele and White. Source: G. L. Steele, J. L. White:
+ * How to print floating-point numbers accurately, PLDI 1990; docs/specification/evolution.md, section 5.
  */
 public final class DoubleText {
 

@@ -13,8 +13,8 @@ import mmneat.evolution.Task;
 
 /**
  * The table {@code generations.csv}, one line per generation: the score by which champions are chosen (best, median and
- * worst of the parents), the best of each objective, and the size of the champion's network. It contains nothing that
- * depends on time.
+ * worst of the parents), the best of each objective, and the size of the champion's network. It contains no times, so
+ * that equal runs write equal files.
  */
 public final class GenerationTable {
 
@@ -56,7 +56,10 @@ public final class GenerationTable {
         return line(fields);
     }
 
-    /** Returns the champion scores of the parents in ascending order. */
+    /**
+     * Returns the champion score of each parent, in ascending order: the score by which champions are chosen, for
+     * example the mean game score ({@link Task#championScore}).
+     */
     public static double[] scores(Task task, Generation generation) {
         return generation.parents().stream()
                 .map(Individual::evaluation)

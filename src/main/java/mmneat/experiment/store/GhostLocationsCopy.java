@@ -13,8 +13,9 @@ import mmneat.mspacman.TaskVersion;
 import pacman.game.GhostLocations;
 
 /**
- * The copy of the ghost locations in the folder of an isolated run, {@code ghost-locations.txt}. With it the run
- * continues unchanged if its folder is moved or a later version of the program ships another recording.
+ * The copy of the ghost locations, {@code ghost-locations.txt}, in the folder of a run of the isolated version of the
+ * task: the recorded places at which ghosts start in its games of eating ghosts. With the copy the run continues
+ * unchanged if its folder is moved or a later version of the program ships another recording.
  */
 public final class GhostLocationsCopy {
 

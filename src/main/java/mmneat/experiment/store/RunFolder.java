@@ -24,8 +24,8 @@ import mmneat.experiment.UserError;
  * #flush}), just before the checkpoint that records the lengths of the logs. After a crash the logs are cut back to the
  * lengths in the checkpoint ({@link #cutTo}), and later generations are evolved again.
  *
- * <p>Files are not synced to the disk before {@link #sync}, because syncing file by file takes longer than many a
- * generation. Until then {@link #unsynced} records by checksums what a failure of the machine may lose.
+ * <p>Files are not synced to the disk before {@link #sync}, because syncing file by file can take longer than a
+ * generation itself. Until then {@link #unsynced} records by checksums what a failure of the machine may lose.
  *
  * <p>Names are relative to the folder, with {@code /} between the parts, for example {@code bestPacMan/score.txt};
  * those of the logs and score files start with {@link #prefix()}. Texts are written in UTF-8.
@@ -90,8 +90,8 @@ public final class RunFolder {
     }
 
     /**
-     * Writes a file that follows from the checkpoint alone, replacing it if it exists. A continued run has to write it
-     * again.
+     * Writes a file at once, not at the next {@link #flush}, replacing it if it exists. The content must be computable
+     * from the checkpoint alone: {@link #unsynced} does not record the file, so a continued run has to write it again.
      */
     public void writeDerived(String name, String content) {
         replace(name, content.getBytes(StandardCharsets.UTF_8));

@@ -22,7 +22,7 @@ public final class RunLayout {
     /** All parameters of the run. */
     public static final String PARAMETERS = "parameters.properties";
 
-    /** The ghost locations of an isolated run. */
+    /** The ghost locations of a run of the isolated version of the task ({@link GhostLocationsCopy}). */
     public static final String GHOST_LOCATIONS = "ghost-locations.txt";
 
     /** The progress of the run. */
@@ -53,24 +53,38 @@ public final class RunLayout {
     /** The scores of {@link #ORIGINAL_CHAMPION}. */
     public static final String ORIGINAL_CHAMPION_SCORE = "bestPacMan/score.txt";
 
-    /** The archetype. */
+    /** The archetype, the population-wide list of neurons that fixes their order in every genotype, as XML. */
     public static final String ARCHETYPE = "archetype0.xml";
 
-    /** The neurons of the archetype with their shadows. */
+    /**
+     * The shadows in the archetype, one line per neuron that has one: its innovation number and that of its shadow. A
+     * shadow is a second entry of the archetype for the neuron, which the original reserves for a crossover that its
+     * runs never perform. Source: docs/specification/networks.md, section 4.3.
+     */
     public static final String CROSSOVER_MAPPING = "combiningCrossoverMapping.txt";
 
-    /** The logs of parents and children. */
+    /** The name of the {@link #log} and of the score files of the parents of each generation. */
     public static final String PARENTS = "parents";
 
+    /** The name of the {@link #log} and of the score files of the children of each generation. */
     public static final String CHILDREN = "child";
 
-    /** The logs of networks, costs, modules, goals of objectives, parentage and mutations. */
+    /** The name of the {@link #log} of the parents' networks: sizes, module usage, used inputs. */
     public static final String NETWORKS = "TWEANNData";
 
+    /** The name of the {@link #log} of the costs of evaluation. */
     public static final String PERFORMANCE = "Performance";
+
+    /** The name of the {@link #log} of the numbers of modules of the parents. */
     public static final String MODULE_COUNTS = "ModeUsage";
+
+    /** The name of the {@link #log} of the goals of objectives (TUG, targeting unachieved goals). */
     public static final String GOALS = "TUG";
+
+    /** The name of the {@link #log} of the parents of each child. */
     public static final String LINEAGE = "Lineage";
+
+    /** The name of the {@link #log} of the mutations of each child. */
     public static final String MUTATIONS = "Mutations";
 
     private static final int COLUMNS_PER_PROPERTY = 4;
@@ -153,13 +167,17 @@ public final class RunLayout {
         return prefix + population + "_gen" + generation + ".txt";
     }
 
-    /** The other scores of the {@link #PARENTS} or {@link #CHILDREN} of a generation. */
+    /**
+     * The other scores of the {@link #PARENTS} or {@link #CHILDREN} of a generation: scores that the task records but
+     * that are not objectives ({@link mmneat.evolution.Task#otherScoreNames}).
+     */
     public static String otherScores(String prefix, String population, int generation) {
         return prefix + population + "_other_scores_gen" + generation + ".txt";
     }
 
     /**
-     * Returns the length of the longest file name after its prefix, in characters of one byte each.
+     * Returns the length of the longest ending of a file name in a run, in characters of one byte each. The ending is
+     * what follows the prefix. With it a caller checks before a run that no name exceeds the limit of the file system.
      *
      * @param generations number of generations of the run
      */
@@ -208,8 +226,8 @@ public final class RunLayout {
     }
 
     /**
-     * Finds the log of {@link #PARENTS} in a folder, with any prefix. Logs over all runs have no run number in their
-     * names.
+     * Returns the log of {@link #PARENTS} of a single run in a folder, with any prefix; empty if there is none.
+     * Summaries over several runs are not found: their names have no run number.
      */
     public static Optional<Path> parentsLogIn(Path folder) {
         Pattern name = Pattern.compile(".*\\d" + Pattern.quote("_" + log("", PARENTS)));

@@ -36,10 +36,16 @@ public record RunStatus(
         double secondsPerGeneration,
         String message) {
 
-    /** The activity of a run. */
+    /**
+     * The state of a run as the run itself last wrote it. A run whose process was killed still says {@link #RUNNING};
+     * {@link RunView.State} tells it from one that is at work.
+     */
     public enum State {
+        /** The run was started and has written nothing else since. */
         RUNNING,
+        /** All generations requested at that time are complete, or the champion reached the score of {@code stopAt}. */
         FINISHED,
+        /** An exception ended the run; {@link #message} tells why. */
         FAILED
     }
 
@@ -47,7 +53,10 @@ public record RunStatus(
             .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
             .build();
 
-    /** The message may be from a file of someone else, and goes to terminals. */
+    /**
+     * Creates a status. Unprintable characters of the message become question marks: it may come from a file of another
+     * person and is printed on terminals.
+     */
     public RunStatus {
         message = message == null ? null : PlainText.shown(message);
     }
@@ -73,7 +82,12 @@ public record RunStatus(
         }
     }
 
-    /** Returns this status, with the run failed. */
+    /**
+     * Returns the status of a run that failed after it had written this status.
+     *
+     * @param wanted number of requested generations
+     * @param why the message, one line
+     */
     public RunStatus failed(int wanted, String why) {
         return new RunStatus(State.FAILED, generation, wanted, best, median, stepsPerSecond, secondsPerGeneration, why);
     }
@@ -83,7 +97,11 @@ public record RunStatus(
         return Files.getLastModifiedTime(file(directory)).toInstant();
     }
 
-    /** Whether all requested generations are complete. */
+    /**
+     * Whether the run has finished with at least this number of generations.
+     *
+     * @param wanted number of requested generations
+     */
     public boolean isFinished(int wanted) {
         return state == State.FINISHED && generation >= wanted;
     }

@@ -29,13 +29,18 @@ public record RunView(
         Instant signOfLife,
         Instant estimatedEnd) {
 
-    /** The current state of a run. */
+    /**
+     * The state of a run as a reader of its folder sees it: the state in {@link RunStatus}, corrected by the lock,
+     * which tells whether a process is at work.
+     */
     public enum State {
+        /** All requested generations are complete. */
         FINISHED,
         /** A process works on it. */
         RUNNING,
         /** It was started and no process works on it. The same command continues it. */
         INTERRUPTED,
+        /** An exception ended it. The same command tries again from the last checkpoint. */
         FAILED,
         /** It was requested and not yet started. */
         WAITING

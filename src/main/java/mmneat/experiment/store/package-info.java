@@ -1,5 +1,9 @@
 /**
  * The folder of a run: its files, which always belong to a complete generation, its checkpoints, its lock and its
- * status.
+ * status. {@link mmneat.experiment.store.RunLayout} lists the files.
+ *
+ * <p>The state of a run has three forms. {@link mmneat.experiment.store.RunStatus.State} is what the run itself last
+ * wrote to its folder. {@link mmneat.experiment.store.RunView.State} is what a reader of the folder concludes from that
+ * and from the lock. {@link mmneat.experiment.run.RunMonitor.Phase} is what the executing program knows, without files.
  */
 package mmneat.experiment.store;
