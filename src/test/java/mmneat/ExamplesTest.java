@@ -40,6 +40,7 @@ class ExamplesTest {
                 "Zdt1 | (\\[-?[\\d.E-]+, -?[\\d.E-]+]\\R){100}",
                 "Careful | (?s).*9\t\\d+\\R.*",
                 "NearExit | (?s).*results.near-exit.2M0.*",
+                "Sine | (?s).*results.sine.2M0.*",
                 "LateGame | (?s).*results.late-game.MT20.*",
                 "Survival | (?s).*results.survival.2M0.*",
                 "TwoChasers | (?s).*results.chasers.2M0.*",

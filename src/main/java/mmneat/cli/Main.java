@@ -20,6 +20,7 @@ import mmneat.experiment.FileErrors;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
+import mmneat.neat.BadPartException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -225,7 +226,7 @@ public final class Main implements Callable<Integer> {
             return Optional.of("'" + name.getInput() + "' cannot be the name of a file here (" + name.getReason()
                     + "); if it has letters beyond ASCII, set LC_ALL=C.UTF-8");
         }
-        return Optional.empty();
+        return BadPartException.in(failure).map(BadPartException::getMessage);
     }
 
     private static int report(ParameterException mistake) {

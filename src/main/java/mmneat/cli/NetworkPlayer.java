@@ -64,6 +64,7 @@ final class NetworkPlayer {
      */
     static Supplier<Controller<MOVE>> read(String name, Optional<String> division, long seed, JarOption jar) {
         Champion champion = jar.allow(champion(name));
+        champion.requireActivation();
         if (division.isPresent() && !champion.genotype().layout().isDivided()) {
             throw new UserError("division=" + division.get() + ": the network of " + name
                     + " chooses its modules itself; only methods MT, MT2 and MT3 and hybrids have a division");

@@ -73,7 +73,7 @@ public final class Evolution {
         pool = GenePool.resume(state.pool());
         random = ResumableRandom.resume(state.random());
         variation = new ReproductionVariation(new Reproduction(settings.variation(), pool));
-        population = state.population();
+        population = state.bound(settings.initialNetworks().activation()).population();
         generation = state.generation();
         tug = state.tug();
         settings.tug().ifPresent(policy -> policy.requireFitting(tug));

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
+import mmneat.neat.ActivationFunction;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.variation.CrossoverOperator;
 import mmneat.neat.variation.InitialNetworks;
@@ -73,6 +74,14 @@ public final class EvolutionSetup {
         return with(
                 new InitialNetworks(networks.inputs(), layout, networks.selection(), networks.activation()),
                 settings.variation());
+    }
+
+    /** Sets the activation function of all neurons, inputs included. */
+    public EvolutionSetup activation(ActivationFunction function) {
+        InitialNetworks networks = settings.initialNetworks();
+        return with(
+                new InitialNetworks(networks.inputs(), networks.layout(), networks.selection(), function),
+                settings.variation().withActivation(function));
     }
 
     /** Sets the rates of the mutation operators. */

@@ -2,9 +2,11 @@ package mmneat.evolution;
 
 import java.util.List;
 import java.util.Objects;
+import mmneat.neat.ActivationFunction;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.ModuleLayout;
+import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -71,8 +73,8 @@ public record EvolutionState(
      * Checks that an evolution with these settings can be in this state, which may come from a file.
      *
      * @throws IllegalArgumentException if the population has another size or other inputs, outputs or modules than the
-     *     settings make, if two genotypes have one id, or if the population does not belong to the pool; the message
-     *     says which
+     *     settings make, if it has an activation function of the user's own that is not theirs, if two genotypes have
+     *     one id, or if the population does not belong to the pool; the message says which
      */
     public void requireReachable(EvolutionSettings settings) {
         if (population.size() != settings.populationSize()) {
@@ -90,10 +92,31 @@ public record EvolutionState(
                 throw new IllegalArgumentException(genotype + " is no network for this task, which has " + inputs
                         + " inputs and " + layout.policyNeuronsPerModule() + " policy neurons a module");
             }
+            requireKnownFunctions(genotype, settings.initialNetworks().activation());
             if (genotype.moduleUsage().length > genotype.modules()) {
                 throw new IllegalArgumentException("the module usage of " + genotype + " is of more modules");
             }
         }
         pool.requireOwn(population);
+    }
+
+    private static void requireKnownFunctions(Genotype genotype, ActivationFunction activation) {
+        for (NodeGene node : genotype.nodes()) {
+            if (node.activation().isOwn() && !node.activation().equals(activation)) {
+                throw new IllegalArgumentException(genotype + " has a neuron with the activation function "
+                        + node.activation() + ", but the settings have " + activation);
+            }
+        }
+    }
+
+    /** Returns this state with an activation function put into the neurons that have its name. */
+    EvolutionState bound(ActivationFunction activation) {
+        if (!activation.isOwn()) {
+            return this;
+        }
+        List<Genotype> bound = population.stream()
+                .map(genotype -> genotype.withFunctions(each -> each.equals(activation) ? activation : each))
+                .toList();
+        return new EvolutionState(generation, bound, pool, random, tug);
     }
 }

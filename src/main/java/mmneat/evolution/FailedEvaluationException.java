@@ -1,5 +1,7 @@
 package mmneat.evolution;
 
+import mmneat.neat.BadPartException;
+
 /**
  * Thrown when a task throws an exception during an evaluation. The message says which genotype, when, and what the task
  * threw.
@@ -9,7 +11,14 @@ public final class FailedEvaluationException extends IllegalStateException {
 
     /** @param where the genotype and generation, or the trial */
     public FailedEvaluationException(String where, Throwable cause) {
-        super(where + (cause instanceof FailedEvaluationException ? ", " + cause.getMessage() : ": " + cause), cause);
+        super(where + described(cause), cause);
+    }
+
+    private static String described(Throwable cause) {
+        if (cause instanceof FailedEvaluationException) {
+            return ", " + cause.getMessage();
+        }
+        return ": " + (cause instanceof BadPartException ? cause.getMessage() : cause);
     }
 
     /** Returns what the task threw. */

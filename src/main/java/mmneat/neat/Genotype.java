@@ -7,6 +7,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.UnaryOperator;
 
 /**
  * The genes of a network: node genes in activation order, link genes, and the division of outputs into modules.
@@ -128,6 +131,25 @@ public final class Genotype {
     /** How often each module was chosen in the last evaluation (a copy). */
     public int[] moduleUsage() {
         return moduleUsage.clone();
+    }
+
+    /** The names of the user's own activation functions whose classes have not been loaded, sorted. */
+    public SortedSet<String> unboundFunctions() {
+        SortedSet<String> names = new TreeSet<>();
+        for (NodeGene node : nodes) {
+            if (!node.activation().isBound()) {
+                names.add(node.activation().name());
+            }
+        }
+        return names;
+    }
+
+    /** Returns this genotype with the operator applied to the activation function of each neuron. */
+    public Genotype withFunctions(UnaryOperator<ActivationFunction> functions) {
+        List<NodeGene> replaced = nodes.stream()
+                .map(node -> node.withActivation(functions.apply(node.activation())))
+                .toList();
+        return new Genotype(id, inputs, layout, replaced, links, moduleUsage, false);
     }
 
     /**

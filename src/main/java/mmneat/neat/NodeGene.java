@@ -30,6 +30,11 @@ public record NodeGene(
         this(innovation, type, activation, false, false);
     }
 
+    /** This gene with another activation function. */
+    public NodeGene withActivation(ActivationFunction function) {
+        return function == activation ? this : new NodeGene(innovation, type, function, frozen, fromCombiningCrossover);
+    }
+
     /** This gene, frozen or not. */
     public NodeGene withFrozen(boolean value) {
         return value == frozen ? this : new NodeGene(innovation, type, activation, value, fromCombiningCrossover);

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import mmneat.CompiledClasses;
 import mmneat.analysis.evaluation.ShippedChampions;
+import mmneat.neat.ActivationFunction;
+import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeJson;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -37,6 +39,8 @@ class CodeOfFoldersTest extends CommandTest {
                 "public final class Evil implements mmneat.mspacman.sensors.Sensor {" + body
                         + " public String label() { return \"Evil\"; }"
                         + " public double sense(mmneat.mspacman.sensors.Observation observation) { return 0; } }",
+                "public final class Bad implements mmneat.neat.NeuronFunction {" + body
+                        + " public double of(double sum) { return sum; } }",
                 "public final class Other {" + body + "}");
         folder = Files.createDirectories(base.resolve("runs/2M0"));
         Files.writeString(
@@ -79,6 +83,46 @@ class CodeOfFoldersTest extends CommandTest {
         parameters("task=Evil", "jar=" + classes);
         run(command);
         assertThat(trace).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @MethodSource("commands")
+    void activationFunctionOfAFolder_isNotLoaded(List<String> command) throws IOException {
+        for (String name : List.of("Bad", Near.class.getName())) {
+            champion(name);
+            parameters("task=blended", "activation=" + name, "jar=" + classes);
+            run(command);
+            parameters("task=blended", "jar=" + classes);
+            run(command);
+        }
+        assertThat(trace).doesNotExist();
+        assertThat(System.getProperty("mmneat.test.loaded")).isNull();
+    }
+
+    @Test
+    void activationFunctionOfANetworkAlone_needsTheJar() throws IOException {
+        champion("Bad");
+        Path alone = Files.copy(folder.resolve("champion.json"), base.resolve("alone.json"));
+        String refusal =
+                alone + ": activation=Bad is code from a jar that the file does not name, and code is loaded only"
+                        + " if the command line names its jar; if you trust it, give jar=FILE";
+        assertMistake(refusal, "watch", alone.toString(), "task=blended", "out=" + base.resolve("out.html"));
+        assertMistake(refusal, "play", "pacman=" + alone, "view=false");
+        execute("network", alone.toString(), "out=" + base.resolve("out.svg"));
+        assertThat(base.resolve("out.svg")).exists();
+        assertThat(trace).doesNotExist();
+
+        execute("play", "pacman=" + alone, "view=false", "jar=" + classes);
+        assertThat(trace).exists();
+        assertThat(out.toString()).contains("score: mean");
+    }
+
+    /** Replaces the champion of the folder by one with an activation function that is a class. */
+    private void champion(String activation) throws IOException {
+        Genotype network = ShippedChampions.read("blended").genotype();
+        Files.writeString(
+                folder.resolve("champion.json"),
+                GenotypeJson.write(network.withFunctions(tanh -> ActivationFunction.ofClass(activation))));
     }
 
     @ParameterizedTest

@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import mmneat.analysis.results.RunParameters;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.OwnActivation;
 import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.SymbolicLinks;
 import mmneat.neat.Genotype;
@@ -33,9 +34,25 @@ public record Champion(
         this(genotype, file, runFolder, parameters, Optional.empty());
     }
 
-    /** A copy with a jar for the classes that the run's parameters mention. */
+    /**
+     * A copy with a jar for the classes that the run's parameters and the network mention. The network's activation
+     * functions are loaded.
+     *
+     * @throws UserError if the jar lacks one of them
+     */
     public Champion withJar(Optional<Path> named) {
-        return new Champion(genotype, file, runFolder, parameters, named);
+        Genotype bound = named.map(path -> OwnActivation.bind(genotype, path)).orElse(genotype);
+        return new Champion(bound, file, runFolder, parameters, named);
+    }
+
+    /**
+     * Refuses a network that cannot play because its activation function is a class that the user has not allowed to
+     * load.
+     *
+     * @throws UserError if so
+     */
+    public void requireActivation() {
+        OwnActivation.requireBound(genotype, file, parameters.getOrDefault("jar", ""));
     }
 
     /** Whether a folder of a run holds its champion. */

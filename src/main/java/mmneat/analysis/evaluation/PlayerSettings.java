@@ -34,6 +34,7 @@ public final class PlayerSettings {
         if (ChampionTask.isOfOwnTask(champion, version)) {
             return Optional.empty();
         }
+        champion.requireActivation();
         return ChampionTask.of(champion, version, ghostLocations) instanceof MsPacManTask task
                 ? Optional.of(task.settings()
                         .withRules(rules.from(task.settings().rules()))

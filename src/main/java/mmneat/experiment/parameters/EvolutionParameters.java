@@ -43,6 +43,7 @@ public record EvolutionParameters(
         String crowding,
         double crossExcessRate,
         int ftype,
+        String activation,
         boolean fs,
         int fsLinksPerOut,
         int startingModes,
@@ -92,20 +93,20 @@ public record EvolutionParameters(
                     + " inputs; give at most as many");
         }
         InputSelection inputs = new InputSelection(fs, fsLinksPerOut);
-        ActivationFunction activation = ActivationFunction.ofCode(ftype);
         if (tug.isPresent() && !selection.isBlank()) {
             throw new UserError("selection=" + selection + " does not go with ea=TUGNSGA2: leave one of them out");
         }
         OwnClasses classes = new OwnClasses(jar);
+        ActivationFunction function = function(classes);
         EvolutionSettings settings = new EvolutionSettings(
                 randomSeed,
                 initialPopulationSeed == -1 ? OptionalInt.empty() : OptionalInt.of(initialPopulationSeed),
                 mu,
                 maxGens,
                 cleanFrequency,
-                new InitialNetworks(task.inputs(), layout(task.policyNeuronsPerModule()), inputs, activation),
+                new InitialNetworks(task.inputs(), layout(task.policyNeuronsPerModule()), inputs, function),
                 new ParentSelection(mating, crossoverRate, crowdingOf(crowding)),
-                variation(inputs, activation, classes),
+                variation(inputs, function, classes),
                 tug,
                 Optional.empty());
         return selection.isBlank()
@@ -113,14 +114,15 @@ public record EvolutionParameters(
                 : settings.withSelection(classes.make("selection", selection.strip(), Selection.class));
     }
 
-    private VariationSettings variation(InputSelection inputs, ActivationFunction activation, OwnClasses classes) {
+    private ActivationFunction function(OwnClasses classes) {
+        return activation.isBlank()
+                ? ActivationFunction.ofCode(ftype)
+                : OwnActivation.load(activation.strip(), classes);
+    }
+
+    private VariationSettings variation(InputSelection inputs, ActivationFunction function, OwnClasses classes) {
         VariationSettings variation = new VariationSettings(
-                rates(),
-                new ModuleGate(maxModes, usageForNewMode),
-                crossExcessRate,
-                deleteLeastUsed,
-                inputs,
-                activation);
+                rates(), new ModuleGate(maxModes, usageForNewMode), crossExcessRate, deleteLeastUsed, inputs, function);
         for (String mutation : OwnClasses.names(mutations)) {
             variation = withOwnMutation(variation, mutation, classes);
         }
@@ -159,6 +161,10 @@ public record EvolutionParameters(
      * @throws UserError naming those that are not
      */
     void requireConsistent() {
+        if (!activation.isBlank() && ftype != ActivationFunction.TANH.code()) {
+            throw new UserError(
+                    "activation=" + activation + " does not go with ftype=" + ftype + ": leave one of them out");
+        }
         if (!moduleGroups.isEmpty()) {
             requireGroups();
         } else if (multitaskModes > 1 && choosesModules()) {

@@ -43,6 +43,8 @@ final class NamedCode {
             }
         }
         if (!forGames) {
+            // A network that plays brings the name of its activation function along: OwnActivation.requireBound.
+            requireAllowed("activation", parameters.text("activation"));
             requireAllowed("mutations", parameters.text("mutations"));
             requireAllowed("crossover", ownChoice("crossover"));
             requireAllowed("selection", parameters.text("selection"));
@@ -67,13 +69,23 @@ final class NamedCode {
         boolean isNamed = commandLine.containsKey("jar") || commandLine.containsKey(classes) && jar.isEmpty();
         if (!names.isBlank() && !isNamed) {
             String file = commandLine.getOrDefault("config", "the file");
-            throw new UserError(file + ": " + classes + "=" + names + " is code "
-                    + (jar.isEmpty() ? "from a jar that the file does not name" : "from jar=" + jar)
-                    + ", and code is loaded only if the command line names its jar; if you trust it, give jar="
-                    + (jar.isEmpty() ? "FILE" : jar) + " on the command line"
-                    + (jar.isEmpty() ? " (jar= if it is on the class path)" : ""));
+            throw refusal(file + ": " + classes + "=" + names, jar);
         }
         requireNoTypingError(classes, names, jar);
+    }
+
+    /**
+     * The refusal of code that the command line does not allow.
+     *
+     * @param code the file that names it, the parameter and the class
+     * @param jar the jar that the file names; empty if it names none
+     */
+    static UserError refusal(String code, String jar) {
+        return new UserError(code + " is code "
+                + (jar.isEmpty() ? "from a jar that the file does not name" : "from jar=" + jar)
+                + ", and code is loaded only if the command line names its jar; if you trust it, give jar="
+                + (jar.isEmpty() ? "FILE" : jar) + " on the command line"
+                + (jar.isEmpty() ? " (jar= if it is on the class path)" : ""));
     }
 
     /** A name without a package is more likely a choice that is spelled wrong than a class of the user's own. */

@@ -35,6 +35,7 @@ import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunParametersFile;
 import mmneat.experiment.store.RunStatus;
 import mmneat.experiment.store.SymbolicLinks;
+import mmneat.neat.BadPartException;
 
 /** Executes one run on the calling thread, from its start or its checkpoint to its end. */
 final class RunWorker {
@@ -133,7 +134,9 @@ final class RunWorker {
             return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), null);
         }
         if (e instanceof FailedEvaluationException failed) {
-            return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), failed.thrown());
+            // The message says everything about a part of the user's own; a task may fail anywhere.
+            Throwable thrown = failed.thrown() instanceof BadPartException ? null : failed.thrown();
+            return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), thrown);
         }
         return e instanceof IOException file ? failed(fileMessage(file), null) : failed(e.toString(), e);
     }

@@ -131,32 +131,34 @@ record GenotypeDocument(
 
         static Node of(NodeGene gene) {
             return new Node(
-                    gene.innovation(), nameOf(gene.type()), nameOf(gene.activation()), gene.frozen() ? true : null);
+                    gene.innovation(),
+                    gene.type().name().toLowerCase(Locale.ROOT),
+                    FunctionNames.of(gene.activation()),
+                    gene.frozen() ? true : null);
         }
 
         NodeGene toGene(int index) {
-            return new NodeGene(
-                    innovation,
-                    constant(NodeType.class, type, index, "type"),
-                    constant(ActivationFunction.class, activation, index, "activation"),
-                    Boolean.TRUE.equals(frozen),
-                    false);
+            return new NodeGene(innovation, typeOf(index), functionOf(index), Boolean.TRUE.equals(frozen), false);
         }
 
-        private static String nameOf(Enum<?> constant) {
-            return constant.name().toLowerCase(Locale.ROOT);
-        }
-
-        private static <E extends Enum<E>> E constant(Class<E> type, String name, int index, String field) {
+        private NodeType typeOf(int index) {
             List<String> names = new ArrayList<>();
-            for (E constant : type.getEnumConstants()) {
-                if (nameOf(constant).equals(name)) {
-                    return constant;
+            for (NodeType each : NodeType.values()) {
+                names.add(each.name().toLowerCase(Locale.ROOT));
+                if (names.get(names.size() - 1).equals(type)) {
+                    return each;
                 }
-                names.add(nameOf(constant));
             }
-            throw new IllegalArgumentException("nodes[" + index + "]." + field + ": must be one of "
-                    + String.join(", ", names) + ", is \"" + name + "\"");
+            throw new IllegalArgumentException(
+                    "nodes[" + index + "].type: must be one of " + String.join(", ", names) + ", is \"" + type + "\"");
+        }
+
+        private ActivationFunction functionOf(int index) {
+            try {
+                return FunctionNames.read(activation);
+            } catch (IllegalArgumentException e) {
+                throw new IllegalArgumentException("nodes[" + index + "].activation: " + e.getMessage(), e);
+            }
         }
     }
 

@@ -23,7 +23,9 @@ import com.fasterxml.jackson.databind.ser.std.StdSerializer;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Collection;
+import java.util.Locale;
 import java.util.stream.Collectors;
+import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 
 /**
@@ -38,7 +40,7 @@ public final class GenotypeJson {
     private static final StreamReadConstraints LIMITS = StreamReadConstraints.builder()
             .maxNestingDepth(8)
             .maxDocumentLength(GenotypeFiles.MAX_BYTES)
-            .maxStringLength(100)
+            .maxStringLength(1_000)
             .maxNameLength(100)
             .maxNumberLength(100)
             .build();
@@ -100,6 +102,8 @@ public final class GenotypeJson {
         SimpleModule module = new SimpleModule("genotypes");
         module.addSerializer(new Serializer());
         module.addDeserializer(Genotype.class, new Deserializer());
+        module.addSerializer(new FunctionSerializer());
+        module.addDeserializer(ActivationFunction.class, new FunctionDeserializer());
         return module;
     }
 
@@ -204,6 +208,36 @@ public final class GenotypeJson {
         public Genotype deserialize(JsonParser parser, DeserializationContext context) throws IOException {
             try {
                 return context.readValue(parser, GenotypeDocument.class).toGenotype();
+            } catch (IllegalArgumentException e) {
+                throw JsonMappingException.from(parser, e.getMessage(), e);
+            }
+        }
+    }
+
+    /** Writes the activation function of an archetype's entry: built-in ones in upper case. */
+    private static final class FunctionSerializer extends StdSerializer<ActivationFunction> {
+        FunctionSerializer() {
+            super(ActivationFunction.class);
+        }
+
+        @Override
+        public void serialize(ActivationFunction function, JsonGenerator generator, SerializerProvider provider)
+                throws IOException {
+            String text = FunctionNames.of(function);
+            generator.writeString(function.isOwn() ? text : text.toUpperCase(Locale.ROOT));
+        }
+    }
+
+    private static final class FunctionDeserializer extends StdDeserializer<ActivationFunction> {
+        FunctionDeserializer() {
+            super(ActivationFunction.class);
+        }
+
+        @Override
+        public ActivationFunction deserialize(JsonParser parser, DeserializationContext context) throws IOException {
+            String text = context.readValue(parser, String.class);
+            try {
+                return FunctionNames.read(FunctionNames.isOwn(text) ? text : text.toLowerCase(Locale.ROOT));
             } catch (IllegalArgumentException e) {
                 throw JsonMappingException.from(parser, e.getMessage(), e);
             }

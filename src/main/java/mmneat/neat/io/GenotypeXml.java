@@ -15,10 +15,11 @@ import mmneat.neat.NodeType;
 /**
  * The original's XML form of genotypes and archetypes.
  *
- * <p>The original can read the files written here. Files of the original and of its later versions can be read here:
- * from both packages under which it was published, with modules called "mode" (until May 2016) or "module", and with
- * complete or small genes. A feature of a later version that our networks lack is refused by name. Untrusted files are
- * safe to read: document types, entities and deep nesting are refused.
+ * <p>The original can read the files written here, except those with activation functions of the user's own. Files of
+ * the original and of its later versions can be read here: from both packages under which it was published, with
+ * modules called "mode" (until May 2016) or "module", and with complete or small genes. A feature of a later version
+ * that our networks lack is refused by name. Untrusted files are safe to read: document types, entities and deep
+ * nesting are refused.
  *
  * <p>Source: docs/specification/networks.md, section 12; docs/genotype-format.md.
  */
@@ -48,7 +49,7 @@ public final class GenotypeXml {
             "BoundedIntegerValuedGenotype", "vectors of numbers");
 
     /** The largest code of an activation function in February 2016. */
-    private static final int MAX_FUNCTION = ActivationFunction.values().length - 1;
+    private static final int MAX_FUNCTION = ActivationFunction.builtIn().size() - 1;
 
     private static final String PACKAGE = "edu.utexas.cs.nn.evolution.genotypes.";
 
@@ -182,18 +183,26 @@ public final class GenotypeXml {
                     + "; neurons with a bias, a feature of later versions of the original, are not supported");
         }
         NodeType type = NodeType.ofCode(object.integer("ntype"));
-        int function = object.integer("ftype");
-        if (function > MAX_FUNCTION) {
-            throw new GenotypeFormatException(place + ".ftype: is " + function
-                    + "; the activation functions that later versions of the original added are not supported");
-        }
         boolean small = isSmall(object, NODE, OMITTED_BY_SMALL_NODES);
         return new NodeGene(
                 object.longInteger("innovation"),
                 type,
-                ActivationFunction.ofCode(function),
+                functionOf(object, place),
                 !small && object.flag("frozen"),
                 !small && object.flag("fromCombiningCrossover"));
+    }
+
+    private static ActivationFunction functionOf(SerialisedObject node, String place) throws GenotypeFormatException {
+        String own = node.text("ftype");
+        if (FunctionNames.isOwn(own)) {
+            return FunctionNames.read(own);
+        }
+        int function = node.integer("ftype");
+        if (function > MAX_FUNCTION) {
+            throw new GenotypeFormatException(place + ".ftype: is " + function
+                    + "; the activation functions that later versions of the original added are not supported");
+        }
+        return ActivationFunction.ofCode(function);
     }
 
     /** Whether a gene is small: it has none of the additional fields of a complete gene. */
@@ -239,7 +248,11 @@ public final class GenotypeXml {
     private static void write(SerialisedText text, NodeGene node) {
         text.open(PACKAGE + NODE);
         text.integer("ntype", node.type().code());
-        text.integer("ftype", node.activation().code());
+        if (node.activation().isOwn()) {
+            text.word("ftype", FunctionNames.of(node.activation()));
+        } else {
+            text.integer("ftype", node.activation().code());
+        }
         text.flag("fromCombiningCrossover", node.fromCombiningCrossover());
         text.longInteger("innovation", node.innovation());
         text.flag("frozen", node.frozen());

@@ -120,7 +120,7 @@ final class SerialisedObject {
     }
 
     long longInteger(String name) throws GenotypeFormatException {
-        String text = value(name);
+        String text = text(name);
         try {
             return Long.parseLong(text);
         } catch (NumberFormatException e) {
@@ -129,7 +129,7 @@ final class SerialisedObject {
     }
 
     double number(String name) throws GenotypeFormatException {
-        String text = value(name);
+        String text = text(name);
         try {
             return Double.parseDouble(text);
         } catch (NumberFormatException e) {
@@ -138,7 +138,7 @@ final class SerialisedObject {
     }
 
     boolean flag(String name) throws GenotypeFormatException {
-        String text = value(name);
+        String text = text(name);
         return switch (text) {
             case "true" -> true;
             case "false" -> false;
@@ -192,7 +192,7 @@ final class SerialisedObject {
         return children.get(0);
     }
 
-    private String value(String name) throws GenotypeFormatException {
+    String text(String name) throws GenotypeFormatException {
         String value = field(name).attributes().get("value");
         if (value == null) {
             throw new GenotypeFormatException(at(pathOf(name)) + "has no value");

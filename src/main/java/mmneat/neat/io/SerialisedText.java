@@ -51,6 +51,10 @@ final class SerialisedText {
         primitive(name, "boolean", Boolean.toString(value));
     }
 
+    void word(String name, String value) {
+        primitive(name, "string", value);
+    }
+
     private void primitive(String name, String type, String value) {
         text.append("<field name=\"").append(name);
         text.append("\" type=\"").append(type);

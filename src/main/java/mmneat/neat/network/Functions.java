@@ -18,14 +18,20 @@ final class Functions {
 
     private Functions() {}
 
-    /** Activation of a neuron with this function and sum. */
+    /**
+     * Activation of a neuron with this function and sum.
+     *
+     * @throws mmneat.neat.BadPartException as {@link ActivationFunction#ofOwn}
+     */
     static double of(ActivationFunction function, double sum) {
-        return switch (function) {
-            case TANH -> Tanh.of(sum);
-            case LOGISTIC -> 1 / (1 + boundedExponential(-sum));
-            case IDENTITY -> sum;
-            case APPROXIMATE_TANH -> 2 * approximateLogistic(sum) - 1;
-            case APPROXIMATE_LOGISTIC -> approximateLogistic(sum);
+        // The cases are the original's codes of the constants of ActivationFunction.
+        return switch (function.code()) {
+            case 0 -> 1 / (1 + boundedExponential(-sum));
+            case 1 -> Tanh.of(sum);
+            case 2 -> sum;
+            case 3 -> 2 * approximateLogistic(sum) - 1;
+            case 4 -> approximateLogistic(sum);
+            default -> function.ofOwn(sum);
         };
     }
 

@@ -129,7 +129,12 @@ public final class Network {
                 slotOfPreference.length > 0 && Arrays.stream(slotOfPreference).allMatch(this::isAlwaysComputed);
     }
 
-    /** The network of a genotype, without the nodes from which no output can be reached. */
+    /**
+     * The network of a genotype, without the nodes from which no output can be reached.
+     *
+     * @throws mmneat.neat.BadPartException if it has an activation function of the user's own whose class has not been
+     *     loaded
+     */
     public static Network compile(Genotype genotype) {
         return new NetworkCompiler(genotype, false).compile();
     }
@@ -137,6 +142,8 @@ public final class Network {
     /**
      * The network of a genotype with every node, also those that have no effect on any output: to show all activations.
      * Outputs are equal to those of {@link #compile}.
+     *
+     * @throws mmneat.neat.BadPartException as {@link #compile}
      */
     public static Network compileWithAllNodes(Genotype genotype) {
         return new NetworkCompiler(genotype, true).compile();

@@ -341,6 +341,7 @@ final class NetworkCompiler {
         ActivationFunction[] functions = new ActivationFunction[nodeOfSlot.length];
         for (int slot = 0; slot < functions.length; slot++) {
             functions[slot] = genes.get(nodeOfSlot[slot]).activation();
+            functions[slot].requireBound();
             allTanh &= functions[slot] == ActivationFunction.TANH;
         }
         return allTanh ? null : functions;

@@ -108,6 +108,19 @@ public record VariationSettings(
                 ownCrossover);
     }
 
+    /** These settings with another activation function of new neurons. */
+    public VariationSettings withActivation(ActivationFunction function) {
+        return new VariationSettings(
+                rates,
+                gate,
+                crossoverExcessRate,
+                isLeastUsedModuleDeleted,
+                selection,
+                function,
+                ownMutations,
+                ownCrossover);
+    }
+
     /**
      * Returns these settings with one more mutation operator, which is tried last.
      *

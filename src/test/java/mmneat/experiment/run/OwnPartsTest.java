@@ -49,8 +49,8 @@ class OwnPartsTest {
     @BeforeAll
     static void compile() throws IOException {
         List<String> sources = new ArrayList<>();
-        for (String name :
-                List.of("LateGame", "Survival", "TwoChasers", "WeightDecay", "AverageWeights", "BestSum", "Careful")) {
+        for (String name : List.of(
+                "Sine", "LateGame", "Survival", "TwoChasers", "WeightDecay", "AverageWeights", "BestSum", "Careful")) {
             sources.add(Files.readString(Path.of(EXAMPLES, name + ".java")));
         }
         sources.add("package my; import java.util.EnumMap; import pacman.game.Constants.*;"
@@ -64,6 +64,12 @@ class OwnPartsTest {
                 + " public String logName() { return \"two words\"; }"
                 + " public boolean apply(mmneat.neat.GenotypeDraft offspring, mmneat.neat.GenePool pool,"
                 + " mmneat.random.ResumableRandom random) { return false; } }");
+        sources.add("package my; public class Gap implements mmneat.neat.NeuronFunction {"
+                + " public double of(double sum) { return sum > 1.25 ? Double.NaN : sum; } }");
+        sources.add("package my; public class Log implements mmneat.neat.NeuronFunction {"
+                + " public double of(double sum) { return Math.log(sum); } }");
+        sources.add("package my; public class Lock implements mmneat.neat.NeuronFunction {"
+                + " private Lock() {} public double of(double sum) { return sum; } }");
         sources.add("package my; public class Twins implements mmneat.nsga2.Selection {"
                 + " public int[] survivors(double[][] scores, int count, mmneat.random.ResumableRandom random) {"
                 + " return new int[count]; } }");
@@ -112,6 +118,8 @@ class OwnPartsTest {
     @ValueSource(
             strings = {
                 "method=MT2 pacmanMultitaskScheme=LateGame",
+                "activation=Sine",
+                "method=MMD activation=Sine",
                 "objectives=Survival,GameScore[Max],GhostRegretScore",
                 "ghostTeam=TwoChasers",
                 "ghostTeam=my.Counting",
@@ -174,6 +182,7 @@ class OwnPartsTest {
                 "pacmanMultitaskScheme=java.lang.String method=MT2 | mmneat.mspacman.modules.ModuleDivision",
                 "objectives=java.lang.String | mmneat.mspacman.objectives.Objective",
                 "mutations=java.lang.String:0.1 | mmneat.neat.variation.MutationOperator",
+                "activation=java.lang.String | mmneat.neat.NeuronFunction",
                 "crossover=java.lang.String | mmneat.neat.variation.CrossoverOperator",
                 "selection=java.lang.String | mmneat.nsga2.Selection",
             })
@@ -199,6 +208,11 @@ class OwnPartsTest {
                 "mutations=WeightDecay:2: must be the name of a class and its rate from 0 to 1, such as my.Operator:0.1",
                 "mutations=WeightDecay:2");
         assertMistake("mutations=my.NoName:1: logName() must be one word, is 'two words'", "mutations=my.NoName:1");
+        assertMistake("activation=Sine does not go with ftype=2: leave one of them out", "activation=Sine", "ftype=2");
+        assertMistake("activation=my.Lock: needs a public constructor without arguments", "activation=my.Lock");
+        assertMistake(
+                "activation function my.Log: gave -Infinity for the sum 0.0; it must give a finite number",
+                "activation=my.Log");
         assertMistake("two objectives are called Survival", "objectives=Survival,Survival");
         assertMistake(
                 "selection=BestSum does not go with ea=TUGNSGA2: leave one of them out",
@@ -211,6 +225,12 @@ class OwnPartsTest {
         assertThat(run("scores", 1, "objectives=my.NoNumber").message())
                 .contains("NoNumber", "task=blended")
                 .doesNotContain("\n");
+        RunOutcome gap = run("gap", 1, "activation=my.Gap");
+        assertThat(gap.message())
+                .startsWith(
+                        "task=blended: genotype 1 in generation 0, trial 1 of 1: activation function my.Gap: gave NaN for")
+                .doesNotContain("\n");
+        assertThat(gap.failure()).isNull();
         assertThat(run("twins", 1, "selection=my.Twins").message())
                 .contains("the selection must name 6 different survivors of 12");
     }
@@ -225,6 +245,16 @@ class OwnPartsTest {
                 .hasMessageContaining("or a class of your own");
     }
 
+    @Test
+    void checkpointOfAnotherActivationFunction_isNotContinued() throws Exception {
+        run("other", 1, "activation=Sine");
+        Path parameters = folder.resolve("other/run0/parameters.properties");
+        Files.writeString(parameters, Files.readString(parameters).replace("activation=Sine", "activation="));
+        assertThat(run("other", 2).message())
+                .contains("has a neuron with the activation function Sine, but the settings have tanh")
+                .doesNotContain("\n");
+    }
+
     /** The folder of a run may come from someone else. */
     @ParameterizedTest
     @ValueSource(
@@ -232,6 +262,7 @@ class OwnPartsTest {
                 "pacmanMultitaskScheme=LateGame multitaskModes=2",
                 "objectives=Survival",
                 "ghostTeam=TwoChasers",
+                "activation=Sine",
                 "mutations=WeightDecay:0.5",
                 "crossover=AverageWeights",
                 "selection=BestSum"

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
@@ -18,7 +19,7 @@ import mmneat.random.ResumableRandom;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 class NetworkStateTest {
 
@@ -53,12 +54,17 @@ class NetworkStateTest {
     }
 
     @ParameterizedTest
-    @EnumSource
+    @MethodSource("functions")
     void everyActivationFunction_equalsThePlainForm(ActivationFunction function) {
         for (int i = 0; i < 30; i++) {
             Genotype genotype = withFunction(randomGenotype(random), function);
             compareWithPlainForm(genotype, Network.compile(genotype));
         }
+    }
+
+    static Stream<ActivationFunction> functions() {
+        return Stream.concat(
+                ActivationFunction.builtIn().stream(), Stream.of(ActivationFunction.own("Sine", StrictMath::sin)));
     }
 
     private void compareWithPlainForm(Genotype genotype, Network network) {

@@ -59,7 +59,8 @@ final class PlainNetwork {
             case 1 -> StrictMath.tanh(x);
             case 2 -> x;
             case 3 -> 2 * bitLogistic(x) - 1;
-            default -> bitLogistic(x);
+            case 4 -> bitLogistic(x);
+            default -> genotype.nodes().get(position).activation().ofOwn(x);
         };
     }
 
