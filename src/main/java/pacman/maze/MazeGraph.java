@@ -309,7 +309,10 @@ public final class MazeGraph {
         return y[node];
     }
 
-    /** A lower bound of the path distance, from the positions alone: every step changes one coordinate by one. */
+    /**
+     * A lower bound of the path distance, from the positions alone. Every step changes one coordinate by one; a tunnel
+     * joins the first and the last column, so that horizontal differences count around the border too.
+     */
     public int leastDistance(int from, int to) {
         int dx = Math.abs(x[from] - x[to]);
         return Math.min(dx, MazeDrawing.WIDTH - dx) + Math.abs(y[from] - y[to]);
@@ -361,17 +364,21 @@ public final class MazeGraph {
         return junctionNodes[junction];
     }
 
-    /** Where a bit set of pills has the pill of a node; if there is none, a bit that stands for no pill. */
+    /**
+     * Index of a node's bit in a bit set of pills: bit {@code index & 63} of word {@code index >> 6}. It is the number of
+     * the node's pill. All nodes without a pill share the last bit of the set, which is never set, so that a caller can
+     * test or clear the bit of any node without asking for a pill first.
+     */
     public int pillPosition(int node) {
         return pillPosition[node];
     }
 
-    /** Longs in a bit set of pills; the last bit stands for no pill. */
+    /** Number of longs in a bit set of pills. The last bit belongs to the nodes without a pill and is never set. */
     public int pillWords() {
         return (pillNodes.length >> 6) + 1;
     }
 
-    /** Word of the bit set of pills that lie on the corridor of a power pill. */
+    /** A word (64 pills) of the bit set of the pills that lie on the corridor of a power pill. */
     public long pillsNearPowerPills(int word) {
         return pillsNearPowerPills[word];
     }

@@ -3,8 +3,10 @@ package pacman.maze;
 import java.util.Arrays;
 
 /**
- * The pose that a step leads to, by pose. A pose is a node together with the move that led there, in one number. It
- * determines where going straight on leads. Immutable.
+ * A table of the steps of ghosts: from each pose, the pose after one step straight on. A pose is a node together with
+ * the move that led there, in one number. Immutable.
+ *
+ * <p>The game keeps the positions of Ms. Pac-Man and of the ghosts as poses: a ghost in a corridor repeats its move.
  *
  * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none.
  */

@@ -35,11 +35,11 @@ public final class MazeTables {
     }
 
     /**
-     * Returns an object that depends on the maze alone; computed on the first request, shared from then on.
+     * Returns an object that depends on the maze alone. It is computed on the first request and shared from then on.
      *
-     * @param key names it among all that is derived from this maze, by its class and content
-     * @param maker computes it; must not ask for what is derived from this maze itself
-     * @param type of what it computes
+     * @param key identifies the object by {@code equals} and {@code hashCode}; use a record of the class that asks
+     * @param maker computes the object; it must not call {@code derived} of the same maze
+     * @param type type of the object
      */
     public <T> T derived(Object key, Function<MazeTables, T> maker, Class<T> type) {
         Object known = derived.get(key);

@@ -14,8 +14,9 @@ import java.util.Arrays;
  */
 public final class NonReversingSearch {
 
-    /** Estimated steps to the target. */
+    /** The search's estimate of the steps from a node to the target. */
     public interface Estimate {
+        /** Returns the estimated number of steps between two nodes. */
         int steps(int from, int to);
     }
 
@@ -52,10 +53,14 @@ public final class NonReversingSearch {
     }
 
     /**
-     * The path from a start, reached by a direction, to a target: both included.
+     * Returns the nodes of the path from a start to a target, both included.
      *
-     * <p>In a maze where two parts hang together by a single corridor the search can fail; then the path is an exact
-     * one. If there is none, the target alone is the answer.
+     * <p>The search can fail in a maze where a single corridor joins two parts. Then the result is the shortest path
+     * that never turns back, found by breadth-first search. If no such path exists, the array holds the target alone.
+     *
+     * @param startArrival move by which the start was entered, 0 to 3: the path does not begin with its opposite; 4 if
+     *     there was no move
+     * @param distance estimate that guides the search
      */
     public int[] path(int start, int target, int startArrival, Estimate distance) {
         Arrays.fill(status, FRESH);

@@ -1,8 +1,16 @@
 package pacman.maze;
 
 /**
- * The junctions beyond the next one: which moves at the next junction lead to one, what lies on the paths to there, and
- * when someone else arrives.
+ * Tables of the junctions beyond the next one: the moves that lead to them, the nodes on the paths, and the time at which
+ * a ghost arrives there. The sensors that test whether a junction can be reached safely read them.
+ *
+ * <p>A row is a pair of the next junction and the move that enters it, numbered as in {@link Routes}. A row has four
+ * lanes, numbered by the moves 0 to 3 at its junction. The target of a lane is the junction that the move leads to; the
+ * path to it is an onward path. No path leads back, so the lane of the way back stands for the row's own junction.
+ *
+ * <p>Methods return sets of lanes in one of two forms. <em>Bits</em> are an int with bit m for lane m. <em>Flags</em> are
+ * a long with bit 16 m + 15 for lane m: this form can be computed for four lanes at once. {@link #flags} turns bits into
+ * flags. A <em>place</em> is the position of a node in the form of {@link Routes#place}.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4.10.
  */
@@ -199,7 +207,7 @@ public final class OnwardJunctions {
         return moves[4 * node + direction];
     }
 
-    /** Bit of the lane that stands for the row's own junction. */
+    /** The bit of the lane that stands for the row's own junction. */
     public int ownBit(int row) {
         return 1 << ownLane(row);
     }
@@ -219,7 +227,10 @@ public final class OnwardJunctions {
         return longest[row];
     }
 
-    /** Bits of the lanes whose path from the row's junction on passes a place; all for that junction itself. */
+    /**
+     * Bits of the lanes whose onward path passes a place. The row's own junction lies on every path: for its place, all
+     * four bits are set.
+     */
     public int passing(int row, int place) {
         return onPaths[index(row, place)] & 0xF;
     }
@@ -233,32 +244,40 @@ public final class OnwardJunctions {
         return row * segments + Routes.segment(place);
     }
 
-    /** Bits of the lanes where a path that enters another row's junction stays on the onward path up to the target. */
+    /**
+     * Bits of the lanes for which a walker at another row's junction stays on the row's onward path: that junction and
+     * all nodes of the walker's own path to the lane's target lie on it.
+     *
+     * @param row the row of Ms. Pac-Man
+     * @param other the row of the ghost
+     */
     public int within(int row, int other) {
         return within[row * rows + other];
     }
 
-    /** Flags of the lanes that are given as bits. */
+    /** Returns a set of lanes that is given as bits, 0 to 15, in the form of flags. */
     public static long flags(int bits) {
         return FLAGS_OF_BITS[bits];
     }
 
     /**
-     * Flags of the lanes whose target is reached from another row's junction in at most so many steps more than from
-     * the row's.
+     * Flags of the lanes whose target is at most {@code more} steps farther from another row's junction than from the
+     * row's own.
      *
-     * @param more may be negative
+     * @param row the row of Ms. Pac-Man
+     * @param other the row of the ghost
+     * @param more difference in steps; negative if the ghost must be nearer
      */
     public long arriving(int row, int other, int more) {
         return arrivals[row * rows + other] + ONES * Math.max(more, -MOST) & FLAGS;
     }
 
-    /** The same for distances from where ghosts leave the lair. */
+    /** As {@link #arriving}, for a ghost that starts at the exit of the lair. */
     public long arrivingFromLair(int row, int more) {
         return arrivalsFromLair[row] + ONES * Math.max(more, -MOST) & FLAGS;
     }
 
-    /** Flags of the lanes with onward paths of at least so many steps. */
+    /** Flags of the lanes whose onward path has at least {@code length} steps. */
     public long atLeast(int row, int length) {
         return lengths[row] - ONES * Math.max(Math.min(length, MOST), -MOST) & FLAGS;
     }

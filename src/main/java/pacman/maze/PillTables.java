@@ -5,11 +5,13 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The order in which the pills of one kind are met from a node in a direction.
+ * The pills, or the power pills, of a maze in the order in which a walker meets them from a node in a direction. A pill
+ * is active while it has not been eaten.
  *
- * <p>The nearest pill in a direction is the first active one in the corridor ahead, else the first active one in the
- * order of the row that continues from the junction at its end (nearest first, then by pill number, as the simulator
- * prefers them).
+ * <p>The nearest pill in a direction is the first active one in the corridor ahead. If that corridor has none, it is the
+ * first active one in the order of a row. A row is a pair of a junction and the move that enters it, as in {@link
+ * Routes}; here it is the junction at the end of the corridor. Its order is nearest first, then by pill number, as the
+ * simulator prefers them.
  */
 public final class PillTables {
 

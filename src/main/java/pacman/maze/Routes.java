@@ -3,6 +3,13 @@ package pacman.maze;
 /**
  * The precomputed continuations of paths that never turn back: corridor, length, and what follows at the end junction.
  *
+ * <p>What follows at a junction depends only on the junction and on the move that entered it. A <em>row</em> is the
+ * number of such a pair, from 0 to {@link #rowCount} - 1; the move may be none. Other tables have one entry per row. A
+ * <em>route</em> is one long for a walker's way to the next junction: the corridor, the walker's position in it, the
+ * steps to the junction, and the row there. A walker that stands on a junction without having chosen a direction has a
+ * route of 0 steps without a corridor. A <em>segment</em> is the number of a corridor, a junction, or the lair. A
+ * <em>place</em> is a node as one int: its segment in the upper 16 bits and its position in the segment in the lower.
+ *
  * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4.
  */
 public final class Routes {
@@ -158,7 +165,7 @@ public final class Routes {
                 | (backward ? BACKWARD : 0);
     }
 
-    /** Row of what follows at the end of a route. */
+    /** The row at the end of a route: the number of the pair of the junction there and the move that enters it. */
     public static int row(long route) {
         return (int) route & 0xFFFF;
     }
@@ -192,23 +199,24 @@ public final class Routes {
     }
 
     /**
-     * The junction at the end of a route's corridor; where it starts if that is a junction and the route has no
-     * corridor yet.
+     * The junction at the end of a route's corridor. If the route has no corridor, because it starts on a junction and
+     * has no direction yet, this is the junction where it starts.
      */
     public int junction(long route) {
         return rowJunction[row(route)];
     }
 
-    /** Number of rows: of different junctions with arriving moves. */
+    /** Number of rows: pairs of a junction and a move that enters it, or no move. */
     public int rowCount() {
         return rowJunction.length;
     }
 
+    /** The junction (node) of a row. */
     public int junctionOfRow(int row) {
         return rowJunction[row];
     }
 
-    /** Whether two routes go along the same corridor in the same sense. */
+    /** Whether two routes go along the same corridor in the same direction. */
     public static boolean isSameCourse(long route, long other) {
         return ((route ^ other) & (BACKWARD | (long) FIELD_MASK << CORRIDOR_SHIFT)) == 0;
     }
@@ -219,15 +227,15 @@ public final class Routes {
     }
 
     /**
-     * Positions that a target lies ahead in the corridor of a route: 0 if it is where the route starts.
+     * Steps from the start of a route to a target in the corridor of the route.
      *
-     * @return a number below 0 if the target is not in that corridor or lies behind
+     * @return 0 if the target is the start; a negative number if it lies behind the start or is not in that corridor
      */
     public int ahead(long route, int target) {
         return aheadOfPlace(route, places[target]);
     }
 
-    /** A node's segment and position in it, for {@link #aheadOfPlace} and {@link #segment}. */
+    /** The place of a node: its segment (corridor, junction or lair) in the upper 16 bits, its position there below. */
     public int place(int node) {
         return places[node];
     }
@@ -237,12 +245,12 @@ public final class Routes {
         return place >> 16 == corridor(route) ? ((place & 0xFFFF) - start(route)) * sign(route) : -1;
     }
 
-    /** The node so many steps along a route, before its junction. */
+    /** The node {@code step} steps along a route; it must lie before the junction at the end. */
     public int corridorNode(long route, int step) {
         return corridors.node(corridor(route), start(route) + step * sign(route));
     }
 
-    /** Number of the corridor or junction of a place. */
+    /** The segment of a place: the number of its corridor, junction, or the lair. */
     public static int segment(int place) {
         return place >> 16;
     }

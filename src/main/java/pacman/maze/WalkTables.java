@@ -110,15 +110,19 @@ public final class WalkTables {
         endWord[list] = (byte) end;
     }
 
-    /** Number of the list of walks from a node in a direction: often the same for neighbouring nodes. */
+    /**
+     * Identifier of the list of walks that start at a node in a direction, for {@link #mostPills}. Neighbouring nodes
+     * often share a list; a caller may then reuse the answer that it has for the list.
+     */
     public int list(int node, int direction) {
         return lists[4 * node + direction];
     }
 
     /**
-     * The most active pills on a walk of a list.
+     * Largest number of active pills on one walk of a list.
      *
-     * @param active bits of the active pills
+     * @param list identifier from {@link #list}
+     * @param active bit set of the pills that are not eaten
      */
     public int mostPills(int list, long[] active) {
         int end = first[list + 1];
@@ -136,7 +140,7 @@ public final class WalkTables {
         return most;
     }
 
-    /** The most junctions on a walk. */
+    /** Largest number of junctions on one walk from a node in a direction. It does not depend on the pills. */
     public int mostJunctions(int node, int direction) {
         return junctions[4 * node + direction];
     }
