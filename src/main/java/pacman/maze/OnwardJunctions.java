@@ -1,16 +1,16 @@
 package pacman.maze;
 
 /**
- * Tables of the junctions beyond the next one: the moves that lead to them, the nodes on the paths, and the time at which
- * a ghost arrives there. The sensors that test whether a junction can be reached safely read them.
+ * Tables of the junctions beyond the next one: the moves that lead to them, the nodes on the paths, and the time at
+ * which a ghost arrives there. The sensors that test whether a junction can be reached safely read them.
  *
  * <p>A row is a pair of the next junction and the move that enters it, numbered as in {@link Routes}. A row has four
  * lanes, numbered by the moves 0 to 3 at its junction. The target of a lane is the junction that the move leads to; the
  * path to it is an onward path. No path leads back, so the lane of the way back stands for the row's own junction.
  *
- * <p>Methods return sets of lanes in one of two forms. <em>Bits</em> are an int with bit m for lane m. <em>Flags</em> are
- * a long with bit 16 m + 15 for lane m: this form can be computed for four lanes at once. {@link #flags} turns bits into
- * flags. A <em>place</em> is the position of a node in the form of {@link Routes#place}.
+ * <p>Methods return sets of lanes in one of two forms. <em>Bits</em> are an int with bit m for lane m. <em>Flags</em>
+ * are a long with bit 16 m + 15 for lane m: this form can be computed for four lanes at once. {@link #flags} turns bits
+ * into flags. A <em>place</em> is the position of a node in the form of {@link Routes#place}.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4.10.
  */

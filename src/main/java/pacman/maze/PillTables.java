@@ -8,8 +8,8 @@ import java.util.List;
  * The pills, or the power pills, of a maze in the order in which a walker meets them from a node in a direction. A pill
  * is active while it has not been eaten.
  *
- * <p>The nearest pill in a direction is the first active one in the corridor ahead. If that corridor has none, it is the
- * first active one in the order of a row. A row is a pair of a junction and the move that enters it, as in {@link
+ * <p>The nearest pill in a direction is the first active one in the corridor ahead. If that corridor has none, it is
+ * the first active one in the order of a row. A row is a pair of a junction and the move that enters it, as in {@link
  * Routes}; here it is the junction at the end of the corridor. Its order is nearest first, then by pill number, as the
  * simulator prefers them.
  */

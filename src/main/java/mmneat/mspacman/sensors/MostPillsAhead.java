@@ -1,9 +1,10 @@
 package mmneat.mspacman.sensors;
 
 /**
- * "Max Pills in 30 Steps": the most pills on a walk of so many steps that starts in this direction and never turns
- * back, divided by the number of pills that a straight corridor of that length holds (8 for 30 steps); power pills do
- * not count. Range [0, 1], rarely more.
+ * "Max Pills in 30 Steps": the largest number of pills on a walk of {@code steps} steps that starts in this direction
+ * and never turns back, divided by {@code steps} / 4 rounded up (8 for 30 steps: a straight corridor has a pill at
+ * every fourth step). Power pills do not count. The divisor scales usual values to [0, 1]; it is not a maximum, and
+ * where pills are closer together the value exceeds 1.
  *
  * @param steps length of the walks
  */

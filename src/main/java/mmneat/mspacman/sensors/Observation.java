@@ -307,7 +307,10 @@ public final class Observation {
         return activePills[word];
     }
 
-    /** A number that says everything that the published sensors sense which do not depend on the direction. */
+    /**
+     * One number for everything that the published non-directional sensors depend on: highest edible time, whether a
+     * power pill is close, and the numbers of edible ghosts, threats, power pills and pills.
+     */
     long commonState() {
         return (long) highestEdibleTime << 32
                 | (isCloseToPowerPill() ? 1L << 31 : 0)
@@ -410,7 +413,10 @@ public final class Observation {
         return tables.graph.powerPillCount();
     }
 
-    /** Whether an active power pill is closer than the given closeness, by shortest distance. */
+    /**
+     * Whether a power pill that is not eaten is closer than {@link SensorSettings#closePowerPillDistance}, by shortest
+     * distance.
+     */
     public boolean isCloseToPowerPill() {
         return (tables.closePowerPills[node] & activePowerPills[0]) != 0;
     }
@@ -550,8 +556,9 @@ public final class Observation {
     }
 
     /**
-     * Number of ways on from the next junction whose own next junctions can be reached safely; 0 if already the next
-     * junction cannot.
+     * Number of safe moves at the next junction in this direction. A move is safe if Ms. Pac-Man can follow it to the
+     * junction after that one before any ghost stops her; the move back does not count. 0 if she cannot even reach the
+     * next junction safely. The rules of the test are in docs/specification/mspacman-task.md, section 4.11.
      */
     public int safeOptionsAfterJunction() {
         return safety.options();

@@ -1,8 +1,9 @@
 package mmneat.mspacman.sensors;
 
 /**
- * "Options From Next Junction": ways on from the next junction in this direction whose own next junctions Ms. Pac-Man
- * reaches before any ghost, divided by 4; 0 if already the next junction is not safe. One of 0, 0.25, 0.5, 0.75.
+ * "Options From Next Junction": the number of moves at the next junction in this direction that lead safely to a
+ * further junction, divided by 4. A junction is safe if Ms. Pac-Man reaches it before any ghost stops her; if the next
+ * junction is not safe, the value is 0. The move back does not count. One of 0, 0.25, 0.5, 0.75.
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 4.10 and 4.11.
  */

@@ -1,7 +1,8 @@
 package mmneat.mspacman.sensors;
 
 /**
- * A group of sensors that a network has or lacks as a whole. The names in brackets are the parameters.
+ * A group of sensors that a network has or lacks as a whole. The name in brackets at each group is the parameter of the
+ * command line that switches it (docs/parameters.md).
  *
  * <p>Source: docs/specification/original-options.md, sections 3.1 and 3.2.
  */

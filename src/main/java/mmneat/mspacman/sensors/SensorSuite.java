@@ -97,9 +97,10 @@ public final class SensorSuite {
     }
 
     /**
-     * What the inputs mean.
+     * Labels of the inputs. The label of a sensor that depends on the direction ends with the direction's number.
      *
-     * @param direction the direction that is sensed, 0 to 3; -1 before any, as in the headers of logs
+     * @param direction the direction that is sensed, 0 to 3; -1 in the headers of logs, which are written before a
+     *     direction is sensed
      */
     public List<String> labels(int direction) {
         return sensors.stream()

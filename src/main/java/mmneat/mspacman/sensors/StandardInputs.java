@@ -3,7 +3,8 @@ package mmneat.mspacman.sensors;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * The directional sensors of the published experiments, all at once: the activations that the single sensors give too.
+ * A fast form of the sensors of the published experiments that depend on the direction: it computes the activations of
+ * all of them in one method. They are equal to those that the single sensors give.
  */
 final class StandardInputs {
 

@@ -5,19 +5,26 @@ import java.util.Objects;
 import mmneat.neat.ModuleLayout;
 
 /**
- * The way in which a network's answer is made of its modules' answers. The published experiments use only
- * {@link #PREFERENCE}.
+ * The rules by which a network chooses a module and forms its answer from the outputs of its modules. The published
+ * experiments use only {@link #PREFERENCE}.
+ *
+ * <p>Modules can serve tasks. This is how hybrids work ({@link ModuleLayout#groups}): each group of modules is a task,
+ * and a state of a network with groups takes {@code taskOfModule} from its layout. {@link NetworkState#presetModule}
+ * then names a group, and only modules of that group are compared. {@code taskOfModule} is given here for networks that
+ * have no groups in their layout, such as those of the original's hierarchical multitask.
  *
  * <p>Source: docs/specification/networks.md, sections 6.1 and 6.3.
  *
  * @param softmaxTemperature if positive, a module is drawn with a probability proportional to exp(preference /
  *     temperature); 0: the highest preference wins
- * @param disabledModule module that is as good as never chosen, in networks that have it; -1 for none
+ * @param disabledModule module with the constant preference -2, below all activations of tanh, in networks that have
+ *     it; -1 for none. It is chosen if it is the only module of its task, seldom by softmax, or if fatigue lowers all
+ *     others further
  * @param fatigueUnit what the chosen module's fatigue grows by; fatigue is subtracted from a module's preference
  * @param fatigueDecay what the other modules' fatigue is multiplied by
- * @param answer whose policy activations the network returns
- * @param taskOfModule hierarchical multitask: the task that each module serves, and the preset module then is a task,
- *     of whose modules alone one is chosen; empty if modules serve no particular task
+ * @param answer the combination of the modules' policy activations that the network returns
+ * @param taskOfModule the number of the task that each module serves; empty if modules serve no particular task, or if
+ *     the groups of the layout are the tasks
  */
 public record ModuleArbitration(
         double softmaxTemperature,
@@ -27,13 +34,13 @@ public record ModuleArbitration(
         Answer answer,
         int[] taskOfModule) {
 
-    /** The choice of the module whose policy activations the network returns. */
+    /** The combination of the modules' policy activations that the network returns. */
     public enum Answer {
-        /** Those of the chosen module. */
+        /** The activations of the chosen module alone. */
         CHOSEN_MODULE,
         /** The sum over all modules of preference times activation, divided by the number of modules. */
         WEIGHTED_AVERAGE,
-        /** The average over all modules, which have no preference neurons and are equally preferred. */
+        /** The average over all modules, each with the preference 1. The modules must not have preference neurons. */
         ENSEMBLE
     }
 
@@ -78,7 +85,7 @@ public record ModuleArbitration(
     }
 
     /**
-     * The same with a module that is as good as never chosen.
+     * The same with a disabled module, whose preference is always -2.
      *
      * @throws IllegalArgumentException if it is less than -1
      */
@@ -95,13 +102,18 @@ public record ModuleArbitration(
         return new ModuleArbitration(softmaxTemperature, disabledModule, unit, decay, answer, taskOfModule);
     }
 
-    /** The same with another way to combine the modules' activations. */
+    /** The same with another combination of the modules' policy activations. */
     public ModuleArbitration withAnswer(Answer value) {
         return new ModuleArbitration(
                 softmaxTemperature, disabledModule, fatigueUnit, fatigueDecay, value, taskOfModule);
     }
 
-    /** The same for a network with several modules per task, chosen by preference among those of the preset task. */
+    /**
+     * The same for a network with several modules per task: one of the modules of the preset task is chosen by
+     * preference.
+     *
+     * @param taskOfEachModule number of the task that each module serves
+     */
     public ModuleArbitration withTasks(int... taskOfEachModule) {
         return new ModuleArbitration(
                 softmaxTemperature, disabledModule, fatigueUnit, fatigueDecay, answer, taskOfEachModule);

@@ -149,7 +149,10 @@ public final class Network {
         return new NetworkCompiler(genotype, true).compile();
     }
 
-    /** A new state of this network: nothing pending, nothing counted, modules chosen by plain preference. */
+    /**
+     * A new state of this network: all activations, pending sums of recurrent links and counts are 0. The module with
+     * the highest preference answers.
+     */
     public NetworkState newState() {
         return new NetworkState(this, ModuleArbitration.PREFERENCE);
     }

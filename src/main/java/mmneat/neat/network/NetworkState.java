@@ -5,10 +5,11 @@ import mmneat.random.Argmax;
 import mmneat.random.ResumableRandom;
 
 /**
- * One place where a network is used: what it remembers from step to step, and how often it chose each module.
+ * The mutable activations of one running copy of a {@link Network}, and a count of how often each module was chosen.
  *
- * <p>Any number of states may share one {@link Network}; a state belongs to one thread. After a step, and until the
- * next step or flush, every activation can be read. Stepping allocates nothing.
+ * <p>Many states can share one network; a state is not thread-safe. A step computes neurons in the order of the
+ * genotype. Forward links act in the same step; a recurrent link adds to its target's pending sum, which the next step
+ * starts with. After a step, and until the next step or flush, every activation can be read. A step allocates nothing.
  *
  * <p>Source: docs/specification/networks.md, sections 5.2 and 6.
  */
@@ -84,8 +85,9 @@ public final class NetworkState {
     }
 
     /**
-     * Makes one step from activations of input neurons that the caller knows already, as tanh of the few values that a
-     * sensor can have.
+     * Makes one step from the activations of the input neurons instead of their input values. It saves time where the
+     * caller has the activations in a table, for example tanh of each value of a sensor that has few values. To get the
+     * result of {@link #activate}, the caller passes f(value), where f is the function of the input neuron.
      *
      * @param inputActivations activation of input i at index {@code offset + i}
      * @return the chosen module, as for {@link #activate}
@@ -102,8 +104,8 @@ public final class NetworkState {
      * Makes one step of a multitask network in which {@code module} is the one to use; one {@code nextInt} is drawn
      * nevertheless.
      *
-     * @return the chosen module: {@code module} itself, unless the state's {@link ModuleArbitration} takes it for a
-     *     task or changes preferences
+     * @return the chosen module: {@code module} itself, unless the state's {@link ModuleArbitration} reads {@code
+     *     module} as the number of a task, or changes preferences
      * @throws IllegalArgumentException as for {@link #presetModule} and {@link #activate}
      * @throws IllegalStateException as for {@link #activate}
      */
@@ -113,9 +115,16 @@ public final class NetworkState {
     }
 
     /**
-     * Names the module that a multitask network uses from now on (0 at first); with {@link
-     * ModuleArbitration#withTasks}, the task. Networks with preference neurons do not look at it otherwise.
+     * Sets the choice of the task for the following steps; 0 at first. Its meaning depends on the network:
      *
+     * <ul>
+     *   <li>A multitask network ({@link mmneat.neat.ModuleLayout#multitask}): the number of the module that answers.
+     *   <li>A network with groups of modules ({@link mmneat.neat.ModuleLayout#grouped}), or a state with {@link
+     *       ModuleArbitration#withTasks}: the number of the group or task. Of its modules, preference chooses one.
+     *   <li>All other networks ignore it.
+     * </ul>
+     *
+     * @param module number of the module, group or task
      * @throws IllegalArgumentException if it is negative, or a multitask network has no such module, or none serves
      *     that task
      */

@@ -113,13 +113,15 @@ public final class NetworkStates {
     }
 
     /**
-     * Which of the states that made the last step have the highest answer, where that can be told without computing the
-     * answers to the last bit.
+     * Returns the state with the highest answer of the last step, if an approximation within a proven error bound is
+     * enough to find it. If this returns -1, compare the {@link NetworkState#policyOutput} of the states; it is always
+     * exact, after this call too. A highest answer that may be as low as -1 is not decided here, because callers
+     * compare it with the constant -1 of directions without a state.
      *
      * @param which the same as in the last step
      * @param neuron number of the policy neuron that answers
-     * @return the state whose {@link NetworkState#policyOutput} is higher than those of all others and than -1, or -1
-     *     if that takes a closer look
+     * @return the state whose {@link NetworkState#policyOutput} is higher than those of all others and higher than -1;
+     *     the number -1 if the approximation cannot decide it
      * @throws IllegalArgumentException if a bit is set for which there is no state, or modules have no such policy
      *     neuron
      */
