@@ -30,12 +30,17 @@ import pacman.game.GameView;
  * the controller. In timed games it ends the controller's thread, whose name Java prints with it, and the game
  * continues with the last answer. Views are shown only if there is a display.
  *
- * <p>Source: the competition's programming interface, release 6.2, and the variants that MM-NEAT added, which take the
- * game to play; docs/specification/controllers.md, section 6.
+ * <p>To measure a controller, begin with {@link #runExperiment(Supplier, Supplier, int, long)}: it gives each game new
+ * controllers, so that games do not affect each other, and returns the scores. The methods that take a {@link Game}
+ * play one game by the rules of that game. The other methods are those of the competition's programming interface: they
+ * play with the competition's rules and a fixed seed, and print.
+ *
+ * <p>Source: the programming interface of the competition, release 6.2, and the variants that MM-NEAT added, which take
+ * the game to play ({@link pacman} explains both names); docs/specification/controllers.md, section 6.
  */
 public class Executor {
 
-    /** The duration of a step of a timed game. */
+    /** The duration of a step of a timed game: fixed, or as short as the controllers allow. */
     public enum Pace {
         /** Real time: {@value Constants#DELAY} ms, even if the controllers answer earlier. */
         REAL_TIME,
@@ -73,7 +78,8 @@ public class Executor {
     }
 
     /**
-     * Plays competition games and returns their scores; prints nothing.
+     * Plays games by the rules of the competition ({@link GameRules#competition}) and returns their scores; prints
+     * nothing.
      *
      * @param pacMan makes Ms. Pac-Man's controller, a new one for each game
      * @param ghosts makes the ghosts' controller, a new one for each game
@@ -136,7 +142,7 @@ public class Executor {
         new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.ONCE_PER_TICK).play(game, afterStep);
     }
 
-    /** Plays a game with seed 0, and waits {@code delay} ms after each tick. */
+    /** Plays a game with seed 0, and waits {@code delay} ms after each tick (game step). */
     public void runGame(
             Controller<MOVE> pacManController,
             Controller<EnumMap<GHOST, MOVE>> ghostController,
@@ -209,7 +215,11 @@ public class Executor {
         return new TimedRun(pacManController, ghostController, waiting).play(game, afterStep.andThen(show));
     }
 
-    /** Plays a game with seed 0 in which a tick ends when both controllers have answered, or after 40 ms. */
+    /**
+     * Plays a game with seed 0; a tick lasts until both controllers have answered, at most about 40 ms.
+     *
+     * @param fixedTime whether the rest of the 40 ms is waited for after the answers
+     */
     public void runGameTimedSpeedOptimised(
             Controller<MOVE> pacManController,
             Controller<EnumMap<GHOST, MOVE>> ghostController,
@@ -219,9 +229,12 @@ public class Executor {
     }
 
     /**
-     * Plays the given game; a tick ends when both controllers have answered, or after 40 ms.
+     * Plays the given game; a tick lasts until both controllers have answered, at most about 40 ms.
      *
-     * @param fixedTime whether a tick still lasts the full 40 ms
+     * <p>With {@code fixedTime} every tick lasts about 40 ms, so the game runs as with {@link #runGameTimed}, except
+     * that the window stays open. Only without it is the game faster.
+     *
+     * @param fixedTime whether the rest of the 40 ms is waited for after the answers
      */
     public void runGameTimedSpeedOptimised(
             Controller<MOVE> pacManController,
@@ -277,7 +290,9 @@ public class Executor {
     }
 
     /**
-     * Shows a recording, up to the first state in which the last level is over.
+     * Shows a recording. It stops at the first state whose level is not a level of the rules ({@link
+     * pacman.game.LevelRules#maximumLevel}): such a state follows the last level and has no maze to show. Rules without
+     * a last level show the whole recording.
      *
      * @param rules rules of the recorded game, or other rules with the same mazes
      * @param delay milliseconds per tick

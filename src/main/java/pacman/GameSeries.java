@@ -20,8 +20,9 @@ public final class GameSeries {
     }
 
     /**
-     * Returns the next game. Under MM-NEAT's conventions a game also draws from a second generator, which its copies
-     * may share. So each game gets its own second generator.
+     * Returns the next game. By MM-NEAT's conventions a game draws some numbers from a second generator: the places
+     * where ghosts leave the lair, missing pills, and one number at the end of each edible time. In MM-NEAT that is the
+     * generator of the whole evolution. Here each game gets its own, so that games do not affect each other.
      */
     public Game next() {
         return rules.conventions() == GameRules.Conventions.MM_NEAT

@@ -58,11 +58,12 @@ public record Recording(List<String> states) {
     }
 
     /**
-     * Makes sure that the states follow each other as those of one game do: each one time step after the one before, in
-     * the same level or the next, with no less score; and that all switches are true or false, and all pills 0 or 1. A
-     * controller that ends the game leaves the last state twice.
+     * Checks that the states follow each other as those of one game do. Each state must be one time step after the
+     * state before it, in the same level or the next, and with the same score or more. Fields that are switches must be
+     * true or false, and pills must be 0 or 1. The last state may be equal to the one before it: this happens when a
+     * controller ended the game.
      *
-     * @throws IllegalArgumentException naming the first state that does not
+     * @throws IllegalArgumentException if a state breaks a rule; the message names the first one
      */
     public void requireContinuous() {
         String[] before = null;
@@ -155,7 +156,11 @@ public record Recording(List<String> states) {
         }
     }
 
-    /** Returns the rules whose format the state strings have: the competition's or MM-NEAT's. */
+    /**
+     * Returns a preset with the format of the state strings: {@link GameRules#competition} for 35 fields, {@link
+     * GameRules#mmneat} for 56. It serves to show the recording ({@link Executor#replayGame}); it need not equal the
+     * rules by which the game was played, which a recording does not contain.
+     */
     public GameRules rules() {
         return fields(states.get(0)) == COMPETITION_FIELDS ? GameRules.competition() : GameRules.mmneat();
     }

@@ -13,12 +13,12 @@ import pacman.game.Game;
  * Plays a game in real time: each controller computes in its own thread, and at the end of a tick the game advances by
  * the answers stored so far.
  *
- * <p>Source: docs/specification/controllers.md, sections 2 and 6.2. An interrupt ends the game early (in the original
- * it continues).
+ * <p>Source: docs/specification/controllers.md, sections 2 and 6.2. An interrupt ends the game early (in MM-NEAT it
+ * continues).
  */
 final class TimedRun {
 
-    /** The time for which a tick waits for the controllers. */
+    /** The rule for the time that a tick waits for the controllers; {@link Executor.Pace} offers the first two. */
     enum Waiting {
         /** Always the full {@value Constants#DELAY} ms. */
         FULL_DELAY,

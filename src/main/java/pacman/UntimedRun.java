@@ -16,18 +16,22 @@ import pacman.game.GhostMoves;
 /**
  * Plays a game without time limit: controllers are called directly in the calling thread.
  *
- * <p>Per tick Ms. Pac-Man's controller gets a copy of the game, then the ghosts' controller another of the same state,
- * then the game advances by both answers. Copying the game takes longer than advancing it. So controllers that only
- * read the game ({@link LiveReaders}) get the live game instead of a copy. They draw from a scratch generator that is
- * set to the state that the copy's generator would have.
+ * <p>In each tick Ms. Pac-Man's controller gets a copy of the game, then the ghosts' controller another copy of the
+ * same state, then the game advances by both answers. Copying a game takes longer than advancing it. So a controller
+ * that only reads the game ({@link LiveReaders}) gets the game itself instead of a copy. Such a controller draws its
+ * random numbers from a scratch generator, an object of this class. Before each decision the scratch generator is set
+ * to the state that the generator of the copy would have: the answers are those that the controller gives for a copy.
  *
  * <p>Source: docs/specification/controllers.md, section 6.2.
  */
 final class UntimedRun {
 
-    /** The due time that is passed to a controller. */
+    /**
+     * The rule for the argument {@code timeDue} of {@link Controller#getMove(Game, long)}. The run modes of the
+     * competition differ in it.
+     */
     enum DueTime {
-        /** -1. */
+        /** No due time: -1. */
         NONE,
         /** 40 ms from now, the same for both controllers. */
         ONCE_PER_TICK,

@@ -53,7 +53,11 @@ public abstract class Controller<T> implements Runnable {
         alive = true;
     }
 
-    /** Ends the supervisor; an idle controller still makes one more decision, on the last game. */
+    /**
+     * Ends the supervisor of a timed game. As in the competition's framework, a controller that is idle then makes one
+     * more decision, on the last game that it received; {@link #getMove(Game, long)} must allow for a game that is
+     * over.
+     */
     public final void terminate() {
         synchronized (this) {
             alive = false;

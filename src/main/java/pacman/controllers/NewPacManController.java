@@ -6,14 +6,18 @@ import pacman.game.Game;
 /**
  * A Ms.&nbsp;Pac-Man controller that returns a direction number and can request the end of the game.
  *
- * <p>An exception in {@link #getAction} is printed, and the stored answer of the last timed decision is used instead.
- * In untimed games there is no such answer, which ends the game under MM-NEAT's rules.
+ * <p>If {@link #getAction} throws an exception, the exception is printed and the stored answer of the last timed
+ * decision is returned instead. In untimed games no answer is stored, so that null is returned. By MM-NEAT's
+ * conventions null ends the game from the twelfth step on ({@link Game#advanceGame(MOVE, java.util.EnumMap)}).
  *
  * <p>Source: docs/specification/controllers.md, section 3.1.
  */
 public abstract class NewPacManController extends Controller<MOVE> {
 
-    /** The action that requests the end of the game. */
+    /**
+     * The action that requests the end of the game; {@link #getMove(Game, long)} then returns null. It works by
+     * MM-NEAT's conventions from the twelfth step on. By the competition's conventions null is only an illegal move.
+     */
     public static final int END_GAME_CODE = 27;
 
     private static final MOVE[] MOVES = MOVE.values();
@@ -28,10 +32,13 @@ public abstract class NewPacManController extends Controller<MOVE> {
      */
     public abstract int getAction(Game game, long timeDue);
 
-    /** Called after a game, to log the controller's observations. */
+    /** Logs the controller's observations after a game. The caller of the game may call it; this program does not. */
     public abstract void logEvaluationDetails();
 
-    /** Called before a game. */
+    /**
+     * Makes the controller ready for another game. The caller of the game may call it; {@link pacman.Executor} does
+     * not.
+     */
     public void reset() {
         threadRevive();
     }

@@ -4,11 +4,14 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * A controller whose decision only reads the game, so that it can use the live game instead of a copy.
+ * A controller whose decision only reads the game, so that untimed games can pass it the live game instead of a copy.
  *
- * <p>Controllers of the original draw random numbers from the generator of their copy of the game. {@link #decide}
- * receives this generator separately. {@link pacman.controllers.examples.LiveReaders} decides which controllers may
- * read the live game.
+ * <p>The interface is for the example controllers of this program; it is public because they are in another package.
+ * {@link pacman.controllers.examples.LiveReaders} decides which controllers may read the live game. An entry never gets
+ * it: {@link #decide} of an entry is not called, and {@code getMove} is called with a copy.
+ *
+ * <p>A controller usually draws random numbers from the generator of its copy of the game. Without a copy, {@link
+ * #decide} receives a generator in the same state as a separate argument.
  *
  * @param <T> {@code MOVE} for Ms. Pac-Man, {@code EnumMap<GHOST, MOVE>} for the ghosts
  */

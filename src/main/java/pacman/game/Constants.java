@@ -22,7 +22,10 @@ public final class Constants {
     public static final float EDIBLE_TIME_REDUCTION = 0.9f;
     /** Factor on the lair times from level to level. */
     public static final float LAIR_REDUCTION = 0.9f;
-    /** Times start again from their first values after this many levels. */
+    /**
+     * Number of levels after which the reductions start again: edible time and lair times of levels 0, 6, 12, ... have
+     * their full values.
+     */
     public static final int LEVEL_RESET_REDUCTION = 6;
     /** Steps that an eaten ghost stays in the lair in the first level. */
     public static final int COMMON_LAIR_TIME = 40;
@@ -83,10 +86,15 @@ public final class Constants {
 
     /** The four directions, in the order of every "for each direction", and no direction. */
     public enum MOVE {
+        /** Towards smaller y. */
         UP,
+        /** Towards larger x. */
         RIGHT,
+        /** Towards larger y. */
         DOWN,
+        /** Towards smaller x. */
         LEFT,
+        /** No direction: as a request, none; as a last move, none was made. */
         NEUTRAL;
 
         private static final MOVE[] OPPOSITES = {DOWN, LEFT, UP, RIGHT, NEUTRAL};
@@ -99,9 +107,13 @@ public final class Constants {
 
     /** The ghosts, in the order of every "for each ghost". */
     public enum GHOST {
+        /** Ghost 0; first to leave the lair. */
         BLINKY(40),
+        /** Ghost 1. */
         PINKY(60),
+        /** Ghost 2. */
         INKY(80),
+        /** Ghost 3; last to leave the lair. */
         SUE(100);
 
         /** Steps in the lair at the start of the first level. */
@@ -114,8 +126,11 @@ public final class Constants {
 
     /** The measures of distance: along the corridors, or in pixels ignoring walls. */
     public enum DM {
+        /** Steps of the shortest path, on which turning back is allowed; -1 to or from the lair. */
         PATH,
+        /** Straight distance in pixels; walls and tunnels are ignored. */
         EUCLID,
+        /** Horizontal plus vertical distance in pixels; walls and tunnels are ignored. */
         MANHATTAN
     }
 }

@@ -35,12 +35,15 @@ public final class Game {
     /** Completed calls after which a null move of Ms. Pac-Man ends the game. */
     private static final int CALLS_BEFORE_NULL_COUNTS = 10;
 
-    /** The paths of the four mazes; section 1.4. Not final in the competition's interface; not used here. */
+    /**
+     * The paths of the four mazes, for entries of the competition. The array is not final because that interface
+     * declares it so; the simulator never reads it. Source: docs/specification/simulator.md, section 1.4.
+     */
     public static PathsCache[] caches = {new PathsCache(0), new PathsCache(1), new PathsCache(2), new PathsCache(3)};
 
     /**
-     * The game's own generator. Under rules whose copies continue the game, the generator of a copy returns the numbers
-     * that the engine will draw next.
+     * The game's own generator. If copies continue the game ({@link GameRules.Copies#CONTINUE_THE_GAME}), the generator
+     * of a copy returns the numbers that the game itself will draw next.
      */
     public final ResumableRandom rnd;
 
@@ -66,11 +69,11 @@ public final class Game {
     }
 
     /**
-     * Creates a game by given rules that is part of a larger run.
+     * Creates a game by given rules that is part of an evolution run, in which all games share one generator.
      *
-     * @param shared the run's generator, from which the original draws the random numbers of the task: locations of
-     *     ghosts that leave the lair, missing pills, and a number whenever a ghost's edible time ends. Copies that
-     *     continue the game also draw from it. If null, the game's own generator is used
+     * @param shared the generator of the run. As in MM-NEAT, the random numbers of the task come from it: locations of
+     *     ghosts that leave the lair, missing pills, and a number whenever a ghost's edible time ends. Copies under
+     *     {@link GameRules.Copies#CONTINUE_THE_GAME} also draw from it. If null, the game's own generator is used
      */
     public Game(long seed, GameRules rules, ResumableRandom shared) {
         this(new GameState(seed, rules, shared));
@@ -93,16 +96,24 @@ public final class Game {
     // ---- Copying and starting again
 
     /**
-     * Returns a game in the same state. The rules determine its random numbers: {@link GameRules.Copies}. By MM-NEAT's
-     * conventions a copy loses most switches and the record of what was eaten; see {@link GameRules.Conventions}.
+     * Returns a game in the same state. The rules determine its random numbers: {@link GameRules.Copies}.
+     *
+     * <p>By the competition's conventions the copy is complete. By MM-NEAT's conventions some of the state is missing
+     * in it, as in MM-NEAT. The queries about the last step ({@link #wasPillEaten} and others) return false. The lists
+     * of times and scores are absent. These switches are off: {@link GameSwitch#EXIT_LAIR_EDIBLE}, {@link
+     * GameSwitch#END_ONLY_ON_TIME_LIMIT}, {@link GameSwitch#RANDOM_LAIR_EXIT}, {@link GameSwitch#LAIR_EXIT_DATABASE},
+     * {@link GameSwitch#SIMULTANEOUS_LAIR_EXIT} and {@link GameSwitch#REMOVE_PILLS_NEAR_POWER_PILLS}. A controller that
+     * advances its copy of an isolated ghost game therefore simulates other rules than the game has.
      */
     public Game copy() {
         return new Game(state.copy());
     }
 
     /**
-     * Sets a generator to the state of the generator of the next {@link #copy()}, and counts as that copy. A controller
-     * that only reads this game and draws from {@code scratch} then gives the same answer as with the copy.
+     * Sets a generator to the state that the generator of the next {@link #copy()} would have, without making the copy.
+     * Independent copies are numbered, and the number determines the random numbers; this call uses up one number as
+     * {@code copy()} does. A controller that only reads this game and draws from {@code scratch} then gives the same
+     * answer as with the copy.
      */
     public void continueAsCopy(ResumableRandom scratch) {
         state.continueAsCopy(scratch);
@@ -147,8 +158,9 @@ public final class Game {
     /**
      * Plays one step.
      *
-     * @param pacManMove requested direction. If it is not open, NEUTRAL or null, she goes straight on or stops. By
-     *     MM-NEAT's conventions null ends the game from the twelfth call on
+     * @param pacManMove requested direction. If it is not open, NEUTRAL or null, she goes straight on; if that way is
+     *     closed, she stops. By MM-NEAT's conventions null ends the game if this object has made more than 10 steps
+     *     before the last one, that is, from the twelfth call on; before that, null is an ordinary closed direction
      * @param ghostMoves requested directions; may be null or incomplete; afterwards it contains the moves made
      */
     public void advanceGame(MOVE pacManMove, EnumMap<GHOST, MOVE> ghostMoves) {
@@ -211,20 +223,28 @@ public final class Game {
         updateGame();
     }
 
-    /** Ms.&nbsp;Pac-Man's part of a step: she moves and eats a pill on her node. */
+    /**
+     * Ms.&nbsp;Pac-Man's part of a step: she moves and eats a pill on her node.
+     *
+     * <p>{@link #advanceGame(MOVE, EnumMap)} makes the three parts of a step in this order: {@code updatePacMan},
+     * {@code updateGhosts}, {@code updateGame}. They are for controllers that simulate parts of a step in their copy;
+     * all others call {@code advanceGame}.
+     */
     public void updatePacMan(MOVE pacManMove) {
         GameStep.updatePacMan(state, GhostMoves.request(pacManMove));
     }
 
-    /** The ghosts' part of a step. */
+    /** The ghosts' part of a step: they move, or reverse at random or after a power pill. */
     public void updateGhosts(EnumMap<GHOST, MOVE> ghostMoves) {
         updateGhosts(ghostMoves, Reversal.NORMAL);
     }
 
+    /** The ghosts' part of a step, in which they never reverse. */
     public void updateGhostsWithoutReverse(EnumMap<GHOST, MOVE> ghostMoves) {
         updateGhosts(ghostMoves, Reversal.NEVER);
     }
 
+    /** The ghosts' part of a step, in which they reverse instead of moving as requested. */
     public void updateGhostsWithForcedReverse(EnumMap<GHOST, MOVE> ghostMoves) {
         updateGhosts(ghostMoves, Reversal.FORCED);
     }
@@ -266,7 +286,16 @@ public final class Game {
         updateGame(true, true, true, true, true);
     }
 
-    /** Selected parts of {@link #updateGame()}. The end of level and game is always checked. */
+    /**
+     * Selected parts of {@link #updateGame()}, in the order of the parameters. The end of level and game is always
+     * checked.
+     *
+     * @param feast whether Ms.&nbsp;Pac-Man and ghosts that meet eat each other, and edible times run
+     * @param updateLairTimes whether lair times run and ghosts leave the lair
+     * @param updateExtraLife whether the extra life is given when its score is reached
+     * @param updateTotalTime whether the clock of the game advances
+     * @param updateLevelTime whether the clock of the level advances
+     */
     public void updateGame(
             boolean feast,
             boolean updateLairTimes,
@@ -350,7 +379,10 @@ public final class Game {
         return state.mazeIndex;
     }
 
-    /** Steps until the level time limit; may be negative. */
+    /**
+     * Steps until the level time limit. It is negative if the rules leave the end of the game to the controller ({@link
+     * LevelRules#fatalTimeLimit}) and the controller plays on.
+     */
     public int levelTimeLeft() {
         return state.rules.levels().levelTimeLimit() - state.levelTime;
     }
@@ -751,14 +783,20 @@ public final class Game {
         return MoveQueries.nextMove(state.tables, fromNodeIndex, toNodeIndex, distanceMeasure, false);
     }
 
-    /** The direction, other than back, whose neighbour is nearest to a target by plain distance. */
+    /**
+     * The direction, other than back, whose neighbour is nearest to a target. The distance from the neighbour is that
+     * of {@link #getDistance(int, int, DM)}, which allows turning back on the rest of the way.
+     */
     public MOVE getApproximateNextMoveTowardsTarget(
             int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
         return MoveQueries.nextMove(
                 state.tables, fromNodeIndex, toNodeIndex, lastMoveMade.ordinal(), distanceMeasure, true);
     }
 
-    /** The direction, other than back, whose neighbour is farthest from a target by plain distance. */
+    /**
+     * The direction, other than back, whose neighbour is farthest from a target. The distance from the neighbour is
+     * that of {@link #getDistance(int, int, DM)}, which allows turning back on the rest of the way.
+     */
     public MOVE getApproximateNextMoveAwayFromTarget(
             int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
         return MoveQueries.nextMove(
@@ -839,7 +877,12 @@ public final class Game {
         state.set(GameSwitch.RANDOM_LAIR_EXIT, on);
     }
 
-    /** Needs {@link GameRules#ghostLocations} and a starting power pill. */
+    /**
+     * Switches recorded lair exits on or off ({@link GameSwitch#LAIR_EXIT_DATABASE}).
+     *
+     * @throws IllegalArgumentException if it is switched on and the rules have no {@link GhostRules#ghostLocations} or
+     *     no {@link MazeRules#startingPowerPill}
+     */
     public void setLairExitDatabase(boolean on) {
         if (on) {
             state.requireGhostLocations();
@@ -867,7 +910,11 @@ public final class Game {
         state.set(GameSwitch.END_AFTER_POWER_PILLS_EATEN, on);
     }
 
-    /** Removes the pills immediately when switched on. */
+    /**
+     * Switches the rule on or off that the corridors of power pills hold no pills. When it is switched on, all pills
+     * between each power pill and the next junctions disappear at once. They return with the level after it is switched
+     * off. The pill-eating game of the isolated task uses this rule.
+     */
     public void setRemovePillsNearPowerPills(boolean on) {
         state.set(GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS, on);
     }
@@ -913,7 +960,11 @@ public final class Game {
         return state.ghostReward;
     }
 
-    /** Missed chances: edible ghosts at death, edible times that ended, threats missing when a power pill was eaten. */
+    /**
+     * Number of missed chances to eat ghosts. It grows by the number of edible ghosts when Ms.&nbsp;Pac-Man dies, by 1
+     * for each ghost whose edible time ends, and, when a power pill is eaten, by the number of active ghosts that are
+     * not threats (in the lair or still edible).
+     */
     public int getGhostRegret() {
         return state.ghostRegret;
     }
@@ -943,7 +994,12 @@ public final class Game {
         return state.powerPillsEatenWhenGhostFar;
     }
 
-    /** Closeness of the threats when power pills were eaten, at least -12800. */
+    /**
+     * Sum of the closeness of threats to the power pills that were eaten; larger is nearer. The closeness of a threat
+     * is 200 minus its path distance to Ms.&nbsp;Pac-Man when she eats a power pill, at least 0. The sum starts at
+     * -12800 = -(4 levels x 4 power pills x 4 ghosts x 200), so that it reaches 0 only if all ghosts are on every power
+     * pill.
+     */
     public double getLureDistanceSum() {
         return state.lureDistance;
     }
@@ -964,7 +1020,8 @@ public final class Game {
     }
 
     /**
-     * Score gained in a level. A call for the current level closes its entry, so call in ascending order.
+     * Score gained in a level. Quirk: a call for the level that is being played ends the counting of that level; points
+     * gained later count for the next one. So call it after the game, for levels in ascending order.
      *
      * @throws IllegalStateException in a copy
      * @throws IndexOutOfBoundsException if the level was not reached
@@ -976,8 +1033,8 @@ public final class Game {
     /**
      * Mean number of ghosts eaten per power pill.
      *
-     * @param punishUneaten whether power pills of all levels that were not eaten count as 0, in this and all later
-     *     calls
+     * @param punishUneaten whether the power pills that were not eaten, of all levels of the rules, count as power
+     *     pills with 0 ghosts. Quirk: the zeros are kept, so that they count in all later calls too
      * @throws IllegalStateException in a copy
      */
     public double averageGhostsEatenPerPowerPill(boolean punishUneaten) {

@@ -39,13 +39,16 @@ public record GameRules(
          */
         COMPETITION,
         /**
-         * MM-NEAT: a copy loses most switches and the record of what was eaten, a null move from the twelfth step on
-         * ends the game, the state string has 56 fields.
+         * MM-NEAT: a copy lacks most switches and the record of what was eaten ({@link Game#copy} lists them), a null
+         * move from the twelfth step on ends the game, the state string has 56 fields.
          */
         MM_NEAT
     }
 
-    /** The random numbers that a copy of a game draws. */
+    /**
+     * The random numbers that a copy of a game draws. Use {@link #ARE_INDEPENDENT} where controllers compete, and
+     * {@link #CONTINUE_THE_GAME} to get the results of MM-NEAT.
+     */
     public enum Copies {
         /**
          * The same numbers that the game will draw, so a controller can see the future in its copy. This is the
@@ -134,15 +137,21 @@ public record GameRules(
         return blended().withGhosts(ghosts -> ghosts.withImprisonedWhileEdible(true));
     }
 
-    /** The pill-eating game of the paper's isolated task. */
+    /**
+     * The pill-eating game of the paper's isolated task. That task separates the parts of the game: one game without
+     * power pills, in which only pills are eaten, and four games without pills, in which all ghosts are edible from the
+     * start ({@link #isolatedGhosts}).
+     */
     public static GameRules isolatedPills() {
         return interleaved().withSwitches(GameSwitch.PILL_TASK);
     }
 
     /**
-     * A ghost-eating game of the paper's isolated task.
+     * A ghost-eating game of the paper's isolated task: no pills; in each level all ghosts leave the lair edible, and
+     * the level ends when none is edible any more.
      *
-     * @param startingPowerPill corner in which Ms. Pac-Man starts, 0 to 3
+     * @param startingPowerPill number of the power pill on whose node Ms. Pac-Man starts, 0 to 3
+     * @param ghostLocations recorded nodes, from which the places of the ghosts are drawn
      */
     public static GameRules isolatedGhosts(int startingPowerPill, GhostLocations ghostLocations) {
         return interleaved()
@@ -160,16 +169,22 @@ public record GameRules(
                 .withLevels(unused -> new LevelRules(Constants.NUM_LIVES, true, 16, 3000, false, true));
     }
 
-    /** Three lives and an extra one through the four mazes. */
+    /**
+     * The rules of MM-NEAT's FourMaze evaluation of champions: three lives, an extra life at 10000 points, one level in
+     * each of the four mazes, and a time limit of 50000 steps per level. {@link #competition}, in contrast, has no last
+     * level, levels of 4000 steps, and independent copies.
+     */
     public static GameRules fourMaze() {
         return mmneat().withLevels(levels ->
                 levels.withLives(Constants.NUM_LIVES).withExtraLife(true).withLevelTimeLimit(50000));
     }
 
+    /** Returns these rules with other conventions. */
     public GameRules withConventions(Conventions value) {
         return new GameRules(value, copies, mazes, levels, ghosts, pills, switches);
     }
 
+    /** Returns these rules with other random numbers of copies. */
     public GameRules withCopies(Copies value) {
         return new GameRules(conventions, value, mazes, levels, ghosts, pills, switches);
     }

@@ -12,19 +12,19 @@ import pacman.maze.MazePoses;
 
 /**
  * The rules of one game step, in the order in which {@link Game#advanceGame} applies them. A step allocates nothing,
- * except when a lair exit starts a level.
+ * except where a ghost that would leave the lair starts the next level instead ({@link GameSwitch#ONLY_ONE_LAIR_EXIT}).
  *
  * <p>Source: docs/specification/simulator.md, sections 2.3 to 2.7.
  */
 final class GameStep {
 
-    /** The rule for reversals of ghosts in a step. */
+    /** The rule for reversals of ghosts in a step; {@code advanceGame} and its variants pass it. */
     enum Reversal {
-        /** At random and after a power pill. */
+        /** Ghosts reverse at random and after a power pill. */
         NORMAL,
-        /** Never. */
+        /** Ghosts never reverse. */
         NEVER,
-        /** Always. */
+        /** Ghosts reverse. */
         FORCED
     }
 

@@ -5,7 +5,8 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Optional rules that MM-NEAT's tasks switch on for a game: in {@link GameRules}, or by setters of {@link Game}.
+ * Optional rules that MM-NEAT's tasks switch on for a game: in {@link GameRules}, or by setters of {@link Game}. All
+ * are off in the competition; the sentence at each constant says what happens when it is on.
  *
  * <p>Source: docs/specification/simulator.md, section 7.
  */

@@ -9,7 +9,9 @@ package pacman.game;
  * @param extraLife whether 10000 points give a life, once per game
  * @param maximumLevel number of levels after which the game is over
  * @param levelTimeLimit steps in a level
- * @param fatalTimeLimit whether the controller ends the game at the limit; otherwise the next level starts
+ * @param fatalTimeLimit whether the time limit ends the game. The engine then does nothing at the limit, as in MM-NEAT:
+ *     Ms. Pac-Man's controller of the task must end the game by a null move, and other controllers may play on. If
+ *     false, the engine starts the next level at the limit
  * @param creditForRemainingPills whether half the points of the remaining pills are given at the end of a level
  */
 public record LevelRules(

@@ -6,7 +6,8 @@ package pacman.game;
  * <p>Source: docs/specification/simulator.md, sections 2 and 7.
  *
  * @param preEatenPillPortion share of pills that are missing from the start of a level, in [0, 1]
- * @param closeGhostDistance path distance beyond which all threats count as far when a power pill is eaten
+ * @param closeGhostDistance path distance of the nearest threat beyond which a power pill counts as eaten with all
+ *     ghosts far away; it only affects the counter {@link Game#getPowerPillsEatenWhenGhostFar}
  * @param powerPillPunishmentRate probability in [0, 1] that the game ends when a ghost's edible time ends
  * @param dieOnImproperPowerPillEating whether eating a power pill ends the game unless all active ghosts are threats
  */

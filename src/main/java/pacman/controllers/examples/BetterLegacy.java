@@ -7,8 +7,9 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * As {@link Legacy}, with exact path distances that forbid reversing on the whole path. Source:
- * docs/specification/controllers.md, section 5.2.
+ * As {@link Legacy}, except that BLINKY compares the lengths of paths on which a ghost never reverses. Legacy compares
+ * shortest distances, on which a ghost may reverse after its first step. Source: docs/specification/controllers.md,
+ * section 5.2.
  */
 public class BetterLegacy extends Legacy {
 

@@ -6,7 +6,10 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Game;
 import pacman.game.GhostMoves;
 
-/** A ghost team that clears its map before each decision and therefore can answer without it. */
+/**
+ * Base class of the example ghost teams that clear their map of moves before each decision. The map then holds the new
+ * moves only, so that the team can also return them without a map ({@link DirectGhosts}).
+ */
 abstract class ForgetfulGhostTeam extends GhostTeam implements DirectGhosts {
 
     @Override

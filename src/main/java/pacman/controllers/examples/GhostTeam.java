@@ -62,7 +62,7 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
         moves = new EnumMap<>(GHOST.class);
     }
 
-    /** The direction, without reversing, whose next node has the smallest plain distance to Ms. Pac-Man. */
+    /** The direction, without reversing, whose next node is nearest to Ms. Pac-Man; the rest of the way may reverse. */
     static MOVE towardsPacMan(Game game, GHOST ghost, DM measure) {
         return game.getApproximateNextMoveTowardsTarget(
                 game.getGhostCurrentNodeIndex(ghost),
@@ -71,7 +71,7 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
                 measure);
     }
 
-    /** The direction, without reversing, whose next node has the largest plain path distance to Ms. Pac-Man. */
+    /** The direction, without reversing, whose next node is farthest from Ms. Pac-Man by shortest path. */
     static MOVE awayFromPacMan(Game game, GHOST ghost) {
         return game.getApproximateNextMoveAwayFromTarget(
                 game.getGhostCurrentNodeIndex(ghost),

@@ -15,7 +15,9 @@ public class Legacy2TheReckoning extends GhostTeam {
     /** The ghosts are crowded if their average distance from each other is below this, in steps. */
     public static final int CROWDED_DISTANCE = 30;
 
-    /** A ghost nearer to Ms.&nbsp;Pac-Man than this does not retreat, in steps. */
+    /**
+     * A ghost nearer to Ms.&nbsp;Pac-Man than this, in steps, does not go to its corner when the ghosts are crowded.
+     */
     public static final int PACMAN_DISTANCE = 10;
 
     /** Ms.&nbsp;Pac-Man is near a power pill if it is nearer than this, in steps. */

@@ -6,10 +6,11 @@ import pacman.controllers.ReadOnlyController;
 
 /**
  * The rule that says which controllers may read the live game instead of a copy: the examples that implement {@link
- * ReadOnlyController}.
+ * ReadOnlyController}. {@link #of} applies it.
  *
- * <p>The controller's class must be an example loaded with this program. A subclass may do more than read. The same
- * holds for a class of an entry, even if it implements the interface and has the same package name.
+ * <p>The class of the controller must be in this package and must be loaded by the class loader of this program. All
+ * other classes are refused and get a copy, because they might change the game: subclasses of examples in other
+ * packages, and classes of entries, even if they implement the interface and have the same package name.
  */
 public final class LiveReaders {
 

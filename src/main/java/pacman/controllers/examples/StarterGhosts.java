@@ -30,7 +30,10 @@ public final class StarterGhosts extends GhostTeam {
         return possible[random.nextInt(possible.length)];
     }
 
-    /** Quirk: unlike other teams, this one is not revived, and so makes no decisions in a second timed game. */
+    /**
+     * Clears the map of moves. Quirk of MM-NEAT: unlike other teams, this one does not call {@link #threadRevive}.
+     * After a timed game it therefore makes no decisions in a second timed game.
+     */
     @Override
     public void reset() {
         forgetMap();

@@ -9,8 +9,9 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * A Ms.&nbsp;Pac-Man that flees from the first near ghost, else chases the nearest edible ghost, else heads for the
- * nearest pill. Source: docs/specification/controllers.md, section 5.5.
+ * A Ms.&nbsp;Pac-Man that flees from a threat, else chases the nearest edible ghost, else heads for the nearest pill.
+ * She flees from the first ghost, in the order of {@link GHOST}, that is a threat less than 20 steps away. Source:
+ * docs/specification/controllers.md, section 5.5.
  */
 public class StarterPacMan extends NewPacManController implements ReadOnlyController<MOVE> {
 

@@ -7,7 +7,8 @@ import pacman.maze.MazeGraph;
 import pacman.maze.NonReversingSearch;
 
 /**
- * The search for a path without turning back, in the competition's interface. The same search fills the path cache.
+ * The search for a path without turning back, in the competition's interface. It runs {@link NonReversingSearch}, the
+ * search that also finds the stored paths between junctions of {@link PathsCache} and {@link pacman.maze.MazePaths}.
  *
  * <p>Source: docs/specification/simulator.md, section 4.3.
  */

@@ -1,4 +1,7 @@
 package pacman.game.internal;
 
-/** A node in the path cache. In the competition's interface the array is public, but the type is not. */
+/**
+ * A node in {@link PathsCache#nodes}. In the competition's interface that array is public, but the type of its elements
+ * is not, so an entry can only use it as an array of objects.
+ */
 record DNode(int nodeId, boolean isJunction) {}

@@ -3,16 +3,23 @@ package pacman.game.internal;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 
-/** A ghost for the simulations of competition entries. The engine keeps the state of ghosts in arrays. */
+/**
+ * The state of one ghost as an object of the competition's interface. Entries that simulate the game in code of their
+ * own create and change such objects. No game contains one: {@link pacman.game.Game} keeps the state of its ghosts in
+ * arrays, and changes of a Ghost object have no effect on a game.
+ */
 public final class Ghost {
 
+    /** The ghost's node. */
     public int currentNodeIndex;
     /** Steps for which the ghost stays edible; 0 if it is not edible. */
     public int edibleTime;
     /** Steps for which the ghost stays in the lair; 0 outside. */
     public int lairTime;
 
+    /** Which of the four ghosts this is. */
     public GHOST type;
+    /** The ghost's last move; NEUTRAL if there was none. */
     public MOVE lastMoveMade;
 
     public Ghost(GHOST type, int currentNodeIndex, int edibleTime, int lairTime, MOVE lastMoveMade) {
@@ -23,6 +30,7 @@ public final class Ghost {
         this.lastMoveMade = lastMoveMade;
     }
 
+    /** Returns an independent object with the same values. */
     public Ghost copy() {
         return new Ghost(type, currentNodeIndex, edibleTime, lairTime, lastMoveMade);
     }

@@ -7,9 +7,10 @@ import pacman.game.Constants.MOVE;
 /**
  * A node of the maze graph in the competition's interface.
  *
- * <p>The tables by last move have an entry for NEUTRAL with all neighbours, and one for each last move whose opposite
- * leads to a neighbour, with all other neighbours. The order is up, right, down, left. All games share the tables: do
- * not modify them.
+ * <p>Three tables have the last move as key: the move by which a walker entered this node. The entry of a last move
+ * contains all neighbours but the one behind the walker. A last move by which this node cannot be entered has no entry.
+ * NEUTRAL means that there was no last move; its entry contains all neighbours. Neighbours are in the order up, right,
+ * down, left. All games share the tables: do not modify them.
  *
  * <p>Source: docs/specification/simulator.md, section 1.4.
  */
@@ -17,16 +18,18 @@ public final class Node {
 
     private static final MOVE[] MOVES = MOVE.values();
 
-    /** Position in pixels. */
+    /** Horizontal position in pixels. */
     public final int x;
-
+    /** Vertical position in pixels, growing downwards. */
     public final int y;
+    /** Number of this node: its index in {@link Maze#graph}. */
     public final int nodeIndex;
     /** Number of the pill on this node, -1 if none. */
     public final int pillIndex;
     /** Number of the power pill on this node, -1 if none. */
     public final int powerPillIndex;
 
+    /** Number of neighbours. */
     public final int numNeighbouringNodes;
     /** Neighbours by direction; closed directions are absent. */
     public final EnumMap<MOVE, Integer> neighbourhood = new EnumMap<>(MOVE.class);

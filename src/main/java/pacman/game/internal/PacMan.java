@@ -2,12 +2,20 @@ package pacman.game.internal;
 
 import pacman.game.Constants.MOVE;
 
-/** Ms.&nbsp;Pac-Man for the simulations of competition entries. The engine keeps her state in fields. */
+/**
+ * The state of Ms.&nbsp;Pac-Man as an object of the competition's interface. Entries that simulate the game in code of
+ * their own create and change such objects. No game contains one, and changes of a PacMan object have no effect on a
+ * game.
+ */
 public final class PacMan {
 
+    /** Her node. */
     public int currentNodeIndex;
+    /** Lives, including the current one. */
     public int numberOfLivesRemaining;
+    /** Her last move; NEUTRAL if she stood. */
     public MOVE lastMoveMade;
+    /** Whether the extra life of the game was given. */
     public boolean hasReceivedExtraLife;
 
     public PacMan(int currentNodeIndex, MOVE lastMoveMade, int numberOfLivesRemaining, boolean hasReceivedExtraLife) {
@@ -17,6 +25,7 @@ public final class PacMan {
         this.hasReceivedExtraLife = hasReceivedExtraLife;
     }
 
+    /** Returns an independent object with the same values. */
     public PacMan copy() {
         return new PacMan(currentNodeIndex, lastMoveMade, numberOfLivesRemaining, hasReceivedExtraLife);
     }

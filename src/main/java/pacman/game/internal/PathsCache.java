@@ -17,9 +17,15 @@ public class PathsCache {
     /** Number of a junction by its node. */
     public HashMap<Integer, Integer> junctionIndexConverter = new HashMap<>();
 
+    /** All nodes by number; the element type is not public, as in the competition's interface. */
     public DNode[] nodes;
+    /** All junctions by number; the element type is not public, as in the competition's interface. */
     public Junction[] junctions;
-    /** A game in the maze. */
+    /**
+     * A game at the start of the maze's level, which the competition's interface makes public. All entries share it: do
+     * not advance it. The methods of this class do not read this field, so that paths stay right if an entry replaces
+     * it.
+     */
     public Game game;
 
     /** The same game, which stays even if the public field is overwritten. */

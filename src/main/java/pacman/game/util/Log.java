@@ -3,7 +3,8 @@ package pacman.game.util;
 import java.util.Date;
 
 /**
- * The log of an entry: one object shared by all its parts. Part of the competition's programming interface.
+ * The log of an entry: one object shared by all its parts, which {@link #getLog} returns. Part of the competition's
+ * programming interface.
  *
  * <p>Messages are collected in memory; {@link #saveLog} writes them through {@link IO}. No line ends are added.
  */
@@ -19,6 +20,7 @@ public class Log {
 
     private Log() {}
 
+    /** Returns the one log of the program. */
     public static Log getLog() {
         return LOG;
     }
@@ -28,6 +30,7 @@ public class Log {
         console = true;
     }
 
+    /** Stops the echo of further messages to standard output; it is off at first. */
     public void disableConsolePrinting() {
         console = false;
     }
@@ -42,6 +45,7 @@ public class Log {
         timeStamp = true;
     }
 
+    /** Leaves out the date in further messages, as at first. */
     public void disableTimeStamp() {
         timeStamp = false;
     }
@@ -65,7 +69,11 @@ public class Log {
         text.setLength(0);
     }
 
-    /** Writes all messages to the file. */
+    /**
+     * Writes all messages to the file.
+     *
+     * @param append whether to append to an existing file
+     */
     public void saveLog(boolean append) {
         IO.saveFile(file, text.toString(), append);
     }
