@@ -25,32 +25,31 @@ public final class Corridors {
     private final short[] position;
 
     /*
-     * Legs, index 2 node + leg: the junction reached, the number of steps, the first and the last move, and whether the
-     * leg leads towards higher positions in the corridor.
+     * Legs, index 2 node + leg, a junction's own twice. Each holds, from its lowest bit on: the number of steps, the
+     * first and the last move, whether the leg leads towards higher positions in the corridor, and the number of the
+     * junction reached.
      */
-    private final short[] junction;
-    private final short[] length;
-    private final byte[] firstMove;
-    private final byte[] lastMove;
-    private final boolean[] ascending;
+    private static final int STEPS_MASK = 0xFFF;
+    private static final int FIRST_SHIFT = 12;
+    private static final int LAST_SHIFT = 15;
+    private static final int MOVE_MASK = 7;
+    private static final int ASCENDING = 1 << 18;
+    private static final int JUNCTION_SHIFT = 20;
+
+    private final int[] legs;
 
     Corridors(MazeGraph graph) {
         this.graph = graph;
         int count = graph.nodeCount();
         corridor = new short[count];
         position = new short[count];
-        junction = new short[2 * count];
-        length = new short[2 * count];
-        firstMove = new byte[2 * count];
-        lastMove = new byte[2 * count];
-        ascending = new boolean[2 * count];
+        legs = new int[2 * count];
         Arrays.fill(corridor, (short) -1);
         nodes = followAll();
         for (int node = 0; node < graph.lair(); node++) {
             if (graph.isJunction(node)) {
-                junction[2 * node] = (short) node;
-                firstMove[2 * node] = NO_MOVE;
-                lastMove[2 * node] = NO_MOVE;
+                int own = pack(0, NO_MOVE, NO_MOVE, false, graph.junctionNumber(node));
+                Arrays.fill(legs, 2 * node, 2 * node + 2, own);
             } else {
                 walkLegs(node);
             }
@@ -94,8 +93,7 @@ public final class Corridors {
             if (node < 0) {
                 continue;
             }
-            ascending[leg] = leadsUpwards(start, node, leg);
-            firstMove[leg] = (byte) direction;
+            boolean ascending = leadsUpwards(start, node, leg);
             int arrival = direction;
             int steps = 1;
             while (!graph.isJunction(node)) {
@@ -103,11 +101,16 @@ public final class Corridors {
                 node = graph.neighbour(node, arrival);
                 steps++;
             }
-            junction[leg] = (short) node;
-            lastMove[leg] = (byte) arrival;
-            length[leg] = (short) steps;
-            leg++;
+            legs[leg++] = pack(steps, direction, arrival, ascending, graph.junctionNumber(node));
         }
+    }
+
+    private static int pack(int steps, int firstMove, int lastMove, boolean ascending, int junction) {
+        return steps
+                | firstMove << FIRST_SHIFT
+                | lastMove << LAST_SHIFT
+                | (ascending ? ASCENDING : 0)
+                | junction << JUNCTION_SHIFT;
     }
 
     private boolean leadsUpwards(int start, int next, int leg) {
@@ -150,7 +153,7 @@ public final class Corridors {
 
     /** Whether a leg leads towards higher positions in its corridor. */
     boolean isAscending(int node, int leg) {
-        return ascending[2 * node + leg];
+        return (legs[2 * node + leg] & ASCENDING) != 0;
     }
 
     /** Number of legs: 0 in the lair, 1 at a junction, 2 elsewhere. */
@@ -161,58 +164,43 @@ public final class Corridors {
 
     /** Node of the junction that a leg reaches. */
     public int junction(int node, int leg) {
-        return junction[2 * node + leg];
+        return graph.junctionNode(junctionNumber(legs[2 * node + leg]));
     }
 
     /** Steps to the junction. */
     public int length(int node, int leg) {
-        return length[2 * node + leg];
+        return steps(legs[2 * node + leg]);
     }
 
     /** First direction of a leg, {@link #NO_MOVE} for a junction's own. */
     public int firstMove(int node, int leg) {
-        return firstMove[2 * node + leg];
+        return legs[2 * node + leg] >> FIRST_SHIFT & MOVE_MASK;
     }
 
     /** Direction in which a leg enters its junction, {@link #NO_MOVE} for a junction's own. */
     public int lastMove(int node, int leg) {
-        return lastMove[2 * node + leg];
+        return legs[2 * node + leg] >> LAST_SHIFT & MOVE_MASK;
     }
 
-    /** Steps from a node along one of its legs to a target on it; -1 if the target is not on the leg's path. */
-    public int lengthTo(int node, int leg, int target) {
-        int own = corridor[node];
-        if (own < 0) {
-            return -1;
-        }
-        if (corridor[target] == own) {
-            int ahead = position[target] - position[node];
-            if (!ascending[2 * node + leg]) {
-                ahead = -ahead;
-            }
-            return ahead > 0 ? ahead : -1;
-        }
-        return target == junction(node, leg) ? length(node, leg) : -1;
+    /** A leg as one number, for {@link #steps} and {@link #junctionNumber}; a junction's own has two equal ones. */
+    int leg(int node, int leg) {
+        return legs[2 * node + leg];
     }
 
-    /**
-     * Writes the first {@code count} nodes of a leg's path to {@code out} from {@code from}; returns the place after
-     * them.
-     */
-    int write(int node, int leg, int count, int[] out, int from) {
-        int next = from;
-        short[] own = count > 0 ? nodes[corridor[node]] : null;
-        int step = ascending[2 * node + leg] ? 1 : -1;
-        for (int i = 1; i <= count; i++) {
-            out[next++] = i == length(node, leg) ? junction(node, leg) : own[position[node] + step * i];
-        }
-        return next;
+    /** Steps of a leg to its junction. */
+    static int steps(int leg) {
+        return leg & STEPS_MASK;
+    }
+
+    /** Number of the junction that a leg reaches. */
+    static int junctionNumber(int leg) {
+        return leg >> JUNCTION_SHIFT;
     }
 
     /** Writes the way from a leg's junction, itself left out, to the node; returns the place after it. */
     int writeBack(int node, int leg, int[] out, int from) {
         int next = from;
-        int step = ascending[2 * node + leg] ? 1 : -1;
+        int step = isAscending(node, leg) ? 1 : -1;
         for (int i = length(node, leg) - 1; i >= 0; i--) {
             out[next++] = nodes[corridor[node]][position[node] + step * i];
         }

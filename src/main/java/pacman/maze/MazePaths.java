@@ -13,17 +13,24 @@ import java.util.Arrays;
  */
 public final class MazePaths {
 
-    private static final int NO_MOVE = Corridors.NO_MOVE;
+    /** A path passes every node at most so often: leg, path between junctions, leg. */
+    public static final int LONGEST = 3;
+
     private static final int[] EMPTY = {};
 
+    /** More than any length of a path; a length together with it still has its bit. */
+    private static final int OWN_JUNCTION = 1 << 14;
+
     /*
-     * A directed path from a corridor node is its leg to a junction J, entered by a move, and then what leads on from
-     * there. So only the rows of (J, entering move) are stored, J times 5 times nodes shorts, about half a megabyte per
-     * maze, and a length is one or two look-ups and a sum.
+     * A path that must not turn back goes along a route (Routes) to the junction at the end of its corridor. What
+     * follows depends on the route's row alone. So lengths are stored for rows only: to each junction, and to each node
+     * in a corridor that begins at the row's own junction. Any other node is reached by the shorter sum of a junction's
+     * length and the steps of a leg.
      */
     private final MazeGraph graph;
     private final MazeDistances distances;
     private final Corridors corridors;
+    private final Routes routes;
     private final int junctions;
     /**
      * Where the path from junction J by move m to junction K starts in {@link #pathNodes}; index (4 J + m) junctions +
@@ -32,24 +39,30 @@ public final class MazePaths {
     private final int[] pathStart;
 
     private final short[] pathNodes;
-    /** First move of the shortest path from junction J to junction K; index J junctions + K. */
-    private final byte[] bestMove;
-    /** Steps on from a junction, entered by a move, to any node; index (5 junction + move) nodes + target. */
-    private final short[] onwards;
+    /** Length of the undirected path between junctions J and K, index J junctions + K. */
+    private final char[] undirected;
+    /**
+     * Length of the path from row r's junction to junction K, index r junctions + K; {@link #OWN_JUNCTION} for the
+     * row's own. Small enough for the first-level cache, where {@link #nearby} is not.
+     */
+    private final char[] toJunctions;
+    /** Length of the path from row r's junction to node v where no sum gives it, index v rows + r. */
+    private final short[] nearby;
 
     MazePaths(MazeGraph graph, MazeDistances distances, Corridors corridors) {
         this.graph = graph;
         this.distances = distances;
         this.corridors = corridors;
+        routes = new Routes(graph, corridors);
         junctions = graph.junctionCount();
         pathStart = new int[4 * junctions * junctions + 1];
         pathNodes = searchJunctionPaths();
-        bestMove = findBestMoves();
-        onwards = new short[5 * junctions * graph.nodeCount()];
-        for (int junction = 0; junction < junctions; junction++) {
-            for (int arrival = 0; arrival <= NO_MOVE; arrival++) {
-                fillOnwards(junction, arrival);
-            }
+        undirected = new char[junctions * junctions];
+        toJunctions = new char[routes.rowCount() * junctions];
+        nearby = new short[graph.nodeCount() * routes.rowCount()];
+        for (int row = 0; row < routes.rowCount(); row++) {
+            measureToJunctions(row);
+            measureNearby(row);
         }
     }
 
@@ -78,37 +91,51 @@ public final class MazePaths {
         return Arrays.copyOf(found, size);
     }
 
-    private byte[] findBestMoves() {
-        byte[] best = new byte[junctions * junctions];
-        for (int from = 0; from < junctions; from++) {
-            for (int to = 0; to < junctions; to++) {
-                int shortest = Integer.MAX_VALUE;
-                for (int move = 0; move < 4; move++) {
-                    int length = junctionPathLength(from, move, to);
-                    if (length > 0 && length < shortest) {
-                        shortest = length;
-                        best[from * junctions + to] = (byte) move;
-                    }
-                }
+    private void measureToJunctions(int row) {
+        int own = ownJunction(row);
+        for (int to = 0; to < junctions; to++) {
+            int length = to == own ? 0 : lengthOn(row, graph.junctionNode(to));
+            toJunctions[row * junctions + to] = (char) (to == own ? OWN_JUNCTION : length);
+            if (routes.arrivalOfRow(row) == Routes.NEUTRAL) {
+                undirected[own * junctions + to] = (char) length;
             }
         }
-        return best;
     }
 
-    private void fillOnwards(int junction, int arrival) {
-        int row = (5 * junction + arrival) * graph.nodeCount();
+    private void measureNearby(int row) {
         for (int target = 0; target < graph.lair(); target++) {
-            if (target != graph.junctionNode(junction)) {
-                onwards[row + target] = (short) routeLength(choose(junction, arrival, target), junction, target);
+            if (!graph.isJunction(target) && isNearby(row, target)) {
+                nearby[target * routes.rowCount() + row] = (short) lengthOn(row, target);
             }
         }
+    }
+
+    private boolean isNearby(int row, int target) {
+        int own = ownJunction(row);
+        return Corridors.junctionNumber(corridors.leg(target, 0)) == own
+                || Corridors.junctionNumber(corridors.leg(target, 1)) == own;
+    }
+
+    private int ownJunction(int row) {
+        return graph.junctionNumber(routes.junctionOfRow(row));
+    }
+
+    /** Length of the path from a row's junction to another node, found by comparing. */
+    private int lengthOn(int row, int target) {
+        int choice = choose(row, target);
+        int leg = corridors.leg(target, choice & 1);
+        int move = (choice >> 1) - 1;
+        int between = move < 0 ? 0 : junctionPathLength(ownJunction(row), move, Corridors.junctionNumber(leg));
+        return between + Corridors.steps(leg);
     }
 
     /**
-     * How the directed path goes on from a junction entered by a move: the target's leg plus 2 times (1 + the move at
-     * the junction), or plus 0 if the target's corridor starts right there.
+     * How the path goes on from a row's junction: the target's leg plus 2 times (1 + the move at the junction), or plus
+     * 0 if the target's corridor starts right there.
      */
-    private int choose(int junction, int arrival, int target) {
+    private int choose(int row, int target) {
+        int junction = ownJunction(row);
+        int arrival = routes.arrivalOfRow(row);
         int chosen = -1;
         int shortest = Integer.MAX_VALUE;
         for (int leg = 0; leg < corridors.legCount(target); leg++) {
@@ -137,23 +164,17 @@ public final class MazePaths {
         return chosen;
     }
 
-    private int routeLength(int choice, int junction, int target) {
-        int leg = choice & 1;
-        int move = (choice >> 1) - 1;
-        int end = graph.junctionNumber(corridors.junction(target, leg));
-        return (move < 0 ? 0 : junctionPathLength(junction, move, end)) + corridors.length(target, leg);
-    }
-
     private static boolean isBack(int move, int arrival) {
-        return arrival < NO_MOVE && MazeGraph.opposite(arrival) == move;
+        return arrival != Routes.NEUTRAL && MazeGraph.opposite(arrival) == move;
     }
 
     public MazeGraph graph() {
         return graph;
     }
 
-    public Corridors corridors() {
-        return corridors;
+    /** The routes that the paths of this maze go along. */
+    public Routes routes() {
+        return routes;
     }
 
     /**
@@ -172,10 +193,7 @@ public final class MazePaths {
         return pathNodes[pathStart[(4 * from + move) * junctions + to] + step];
     }
 
-    /** First move of the shortest stored path from one junction to a different one. */
-    public int bestMove(int from, int to) {
-        return bestMove[from * junctions + to];
-    }
+    // ---- Paths that must not turn back ----
 
     /**
      * Length of the path that must not turn back, from a node that was entered by a last move.
@@ -188,37 +206,7 @@ public final class MazePaths {
             return 0;
         }
         requireReachable(to);
-        if (graph.isJunction(from)) {
-            return onwardsLength(graph.junctionNumber(from), lastMove, to);
-        }
-        int leg = directedLeg(from, lastMove);
-        int along = corridors.lengthTo(from, leg, to);
-        if (along >= 0) {
-            return along;
-        }
-        int junction = graph.junctionNumber(corridors.junction(from, leg));
-        return corridors.length(from, leg) + onwardsLength(junction, corridors.lastMove(from, leg), to);
-    }
-
-    /**
-     * Steps of the directed path from a junction, entered by a move (4: none), to any other node.
-     *
-     * @param junction number of the junction
-     */
-    public int onwardsLength(int junction, int arrival, int to) {
-        return onwards[(5 * junction + arrival) * graph.nodeCount() + to];
-    }
-
-    /**
-     * The leg by which a directed path leaves a node between junctions: not back; of both, the shorter, first on ties.
-     */
-    public int directedLeg(int from, int lastMove) {
-        boolean first = !isBack(corridors.firstMove(from, 0), lastMove);
-        boolean second = !isBack(corridors.firstMove(from, 1), lastMove);
-        if (first && second) {
-            return corridors.length(from, 1) < corridors.length(from, 0) ? 1 : 0;
-        }
-        return first ? 0 : 1;
+        return length(routes.continuing(from, lastMove), 1, to);
     }
 
     /** The path whose length {@link #directedLength} gives. */
@@ -227,40 +215,82 @@ public final class MazePaths {
             return EMPTY;
         }
         int[] path = new int[directedLength(from, to, lastMove)];
-        writeDirected(from, to, lastMove, path, 0);
+        path(routes.continuing(from, lastMove), 1, to, path);
         return path;
     }
 
     /**
-     * Writes that path to {@code path} from {@code start} on.
+     * Length of the path along a route to a target.
      *
-     * @return the place after it
+     * @param least 0 if a target at the route's start is reached by no step, 1 if only by a way around
      */
-    int writeDirected(int from, int to, int lastMove, int[] path, int start) {
-        if (from == to || from == graph.lair()) {
-            return start;
+    public int length(long route, int least, int target) {
+        int ahead = routes.ahead(route, target);
+        return ahead >= least ? ahead : lengthBeyond(route, target);
+    }
+
+    /** Length of the path along a route to a target that is not in the corridor ahead. */
+    public int lengthBeyond(long route, int target) {
+        return Routes.steps(route) + rowLength(Routes.row(route), target);
+    }
+
+    /** Length of the path from a row's junction to a target. */
+    public int rowLength(int row, int target) {
+        int byFirst = rowLengthBy(corridors.leg(target, 0), row);
+        int bySecond = rowLengthBy(corridors.leg(target, 1), row);
+        return ((byFirst | bySecond) & OWN_JUNCTION) == 0
+                ? Math.min(byFirst, bySecond)
+                : nearby[target * routes.rowCount() + row];
+    }
+
+    private int rowLengthBy(int leg, int row) {
+        return toJunctions[row * junctions + Corridors.junctionNumber(leg)] + Corridors.steps(leg);
+    }
+
+    /**
+     * Writes the path along a route to a target.
+     *
+     * @param least as in {@link #length}
+     * @param path receives the nodes after the start
+     * @return the length
+     */
+    public int path(long route, int least, int target, int[] path) {
+        int ahead = routes.ahead(route, target);
+        return ahead >= least
+                ? follow(route, ahead, path)
+                : rowPath(Routes.row(route), target, path, follow(route, Routes.steps(route), path));
+    }
+
+    /** Writes the first nodes of a route. */
+    private int follow(long route, int count, int[] path) {
+        for (int step = 1; step <= count; step++) {
+            path[step - 1] = step == Routes.steps(route) ? routes.junction(route) : routes.corridorNode(route, step);
         }
-        int junction = graph.junctionNumber(from);
-        int arrival = lastMove;
-        int next = start;
-        if (junction < 0) {
-            int leg = directedLeg(from, lastMove);
-            int along = corridors.lengthTo(from, leg, to);
-            if (along >= 0) {
-                return corridors.write(from, leg, along, path, start);
-            }
-            next = corridors.write(from, leg, corridors.length(from, leg), path, start);
-            junction = graph.junctionNumber(corridors.junction(from, leg));
-            arrival = corridors.lastMove(from, leg);
+        return count;
+    }
+
+    /**
+     * Writes the path from a row's junction to a target behind what is already written.
+     *
+     * @param count nodes already written
+     * @return nodes written in all
+     */
+    public int rowPath(int row, int target, int[] path, int count) {
+        if (target == routes.junctionOfRow(row)) {
+            return count;
         }
-        int choice = choose(junction, arrival, to);
+        int choice = choose(row, target);
         int leg = choice & 1;
         int move = (choice >> 1) - 1;
+        int next = count;
         if (move >= 0) {
-            next = writeJunctionPath(junction, move, graph.junctionNumber(corridors.junction(to, leg)), path, next);
+            int end = Corridors.junctionNumber(corridors.leg(target, leg));
+            next = writeJunctionPath(ownJunction(row), move, end, path, next);
         }
-        return corridors.writeBack(to, leg, path, next);
+        return corridors.writeBack(target, leg, path, next);
     }
+
+    // ---- Paths that may leave their start in any direction ----
 
     /**
      * Length of the path on which the start may be left in any direction.
@@ -268,69 +298,79 @@ public final class MazePaths {
      * @throws IndexOutOfBoundsException if one node is the lair
      */
     public int undirectedLength(int from, int to) {
-        if (from == to) {
-            return 0;
+        int place = routes.place(from);
+        int other = routes.place(to);
+        if (Routes.segment(place) == Routes.segment(other)) {
+            return Math.abs(place - other);
         }
         requireReachable(from);
         requireReachable(to);
-        for (int leg = 0; leg < corridors.legCount(from); leg++) {
-            int along = corridors.lengthTo(from, leg, to);
-            if (along >= 0) {
-                return along;
+        int first = corridors.leg(from, 0);
+        int second = corridors.leg(from, 1);
+        if (graph.isJunction(to)) {
+            // A junction at the end of the corridor is reached along it, by the first direction that leads there.
+            int number = graph.junctionNumber(to);
+            if (Corridors.junctionNumber(first) == number) {
+                return Corridors.steps(first);
+            }
+            if (Corridors.junctionNumber(second) == number) {
+                return Corridors.steps(second);
             }
         }
-        return undirectedLength(from, to, chooseLegs(from, to));
+        int firstTo = corridors.leg(to, 0);
+        int secondTo = corridors.leg(to, 1);
+        return Math.min(
+                Math.min(lengthByLegs(first, firstTo), lengthByLegs(first, secondTo)),
+                Math.min(lengthByLegs(second, firstTo), lengthByLegs(second, secondTo)));
+    }
+
+    private int lengthByLegs(int leg, int other) {
+        return Corridors.steps(leg)
+                + undirected[Corridors.junctionNumber(leg) * junctions + Corridors.junctionNumber(other)]
+                + Corridors.steps(other);
     }
 
     /** The path whose length {@link #undirectedLength} gives. */
     public int[] undirectedPath(int from, int to) {
-        if (from == to) {
+        int[] path = new int[undirectedLength(from, to)];
+        if (path.length == 0) {
             return EMPTY;
         }
-        int[] path = new int[undirectedLength(from, to)];
-        for (int leg = 0; leg < corridors.legCount(from); leg++) {
-            int along = corridors.lengthTo(from, leg, to);
-            if (along >= 0) {
-                corridors.write(from, leg, along, path, 0);
+        for (int out = 0; out < corridors.legCount(from); out++) {
+            long route = routeOf(from, out);
+            if (routes.ahead(route, to) > 0 || routes.junction(route) == to) {
+                follow(route, path.length, path);
                 return path;
             }
         }
-        int legs = chooseLegs(from, to);
-        int out = legs & 1;
-        int in = legs >> 1;
-        int next = corridors.write(from, out, corridors.length(from, out), path, 0);
-        int first = graph.junctionNumber(corridors.junction(from, out));
-        int last = graph.junctionNumber(corridors.junction(to, in));
-        if (first != last) {
-            next = writeJunctionPath(first, bestMove(first, last), last, path, next);
-        }
-        corridors.writeBack(to, in, path, next);
-        return path;
-    }
-
-    /** The start's leg plus 2 times the target's leg of the first shortest combination. */
-    private int chooseLegs(int from, int to) {
-        int chosen = 0;
-        int shortest = Integer.MAX_VALUE;
         for (int out = 0; out < corridors.legCount(from); out++) {
             for (int in = 0; in < corridors.legCount(to); in++) {
-                int length = undirectedLength(from, to, out + 2 * in);
-                if (length < shortest) {
-                    shortest = length;
-                    chosen = out + 2 * in;
+                if (lengthByLegs(corridors.leg(from, out), corridors.leg(to, in)) == path.length) {
+                    writeUndirected(from, out, to, in, path);
+                    return path;
                 }
             }
         }
-        return chosen;
+        throw new IllegalStateException("no path from node " + from + " to node " + to + " of maze " + graph.name());
     }
 
-    private int undirectedLength(int from, int to, int legs) {
-        int out = legs & 1;
-        int in = legs >> 1;
-        int first = graph.junctionNumber(corridors.junction(from, out));
-        int last = graph.junctionNumber(corridors.junction(to, in));
-        int between = first == last ? 0 : junctionPathLength(first, bestMove(first, last), last);
-        return corridors.length(from, out) + between + corridors.length(to, in);
+    private void writeUndirected(int from, int out, int to, int in, int[] path) {
+        int first = Corridors.junctionNumber(corridors.leg(from, out));
+        int last = Corridors.junctionNumber(corridors.leg(to, in));
+        int next = follow(routeOf(from, out), corridors.length(from, out), path);
+        if (first != last) {
+            int move = 0;
+            while (junctionPathLength(first, move, last) != undirected[first * junctions + last]) {
+                move++;
+            }
+            next = writeJunctionPath(first, move, last, path, next);
+        }
+        corridors.writeBack(to, in, path, next);
+    }
+
+    private long routeOf(int node, int leg) {
+        int move = corridors.firstMove(node, leg);
+        return move == Corridors.NO_MOVE ? routes.continuing(node, Routes.NEUTRAL) : routes.leaving(node, move);
     }
 
     private int writeJunctionPath(int from, int move, int to, int[] out, int start) {

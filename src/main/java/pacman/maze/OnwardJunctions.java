@@ -57,7 +57,7 @@ public final class OnwardJunctions {
 
     private final MazeGraph graph;
     private final Routes routes;
-    private final PathTables paths;
+    private final MazePaths paths;
     private final int rows;
     private final int segments;
 
@@ -94,10 +94,10 @@ public final class OnwardJunctions {
     private final byte[] moves;
 
     /** The onward paths of a maze. */
-    public OnwardJunctions(MazeTables maze, Routes routes, PathTables paths) {
+    public OnwardJunctions(MazeTables maze) {
         this.graph = maze.graph();
-        this.routes = routes;
-        this.paths = paths;
+        paths = maze.paths();
+        routes = paths.routes();
         rows = routes.rowCount();
         segments = routes.segmentCount();
         targets = new int[4 * rows];
@@ -109,7 +109,7 @@ public final class OnwardJunctions {
         within = new byte[rows * rows];
         onPaths = new byte[rows * routes.segmentCount()];
         moves = new byte[4 * graph.nodeCount()];
-        int[] path = new int[PathTables.LONGEST * graph.nodeCount()];
+        int[] path = new int[MazePaths.LONGEST * graph.nodeCount()];
         for (int row = 0; row < rows; row++) {
             // Every path passes the row's own junction.
             onPaths[index(row, routes.place(routes.junctionOfRow(row)))] = 0xF;

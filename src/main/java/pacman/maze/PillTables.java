@@ -36,16 +36,16 @@ public final class PillTables {
     private final short[] numbers;
 
     /** The order of a maze's pills. */
-    public static PillTables ofPills(MazeGraph graph, Routes routes, PathTables paths) {
-        return new PillTables(graph, graph.pillNodes(), routes, paths);
+    public static PillTables ofPills(MazeGraph graph, MazePaths paths) {
+        return new PillTables(graph, graph.pillNodes(), paths);
     }
 
     /** The order of a maze's power pills. */
-    public static PillTables ofPowerPills(MazeGraph graph, Routes routes, PathTables paths) {
-        return new PillTables(graph, graph.powerPillNodes(), routes, paths);
+    public static PillTables ofPowerPills(MazeGraph graph, MazePaths paths) {
+        return new PillTables(graph, graph.powerPillNodes(), paths);
     }
 
-    private PillTables(MazeGraph graph, int[] pillNodes, Routes routes, PathTables paths) {
+    private PillTables(MazeGraph graph, int[] pillNodes, MazePaths paths) {
         this.pillNodes = pillNodes;
         numbers = new short[graph.nodeCount()];
         Arrays.fill(numbers, (short) MazeGraph.NONE);
@@ -64,8 +64,9 @@ public final class PillTables {
         }
         aheadFrom[4 * graph.nodeCount()] = entries.size();
         ahead = entries.stream().mapToInt(Integer::intValue).toArray();
-        order = new int[routes.rowCount() * pillNodes.length];
-        for (int row = 0; row < routes.rowCount(); row++) {
+        int rows = paths.routes().rowCount();
+        order = new int[rows * pillNodes.length];
+        for (int row = 0; row < rows; row++) {
             for (int pill = 0; pill < pillNodes.length; pill++) {
                 order[row * pillNodes.length + pill] = paths.rowLength(row, pillNodes[pill]) << 16 | pill;
             }

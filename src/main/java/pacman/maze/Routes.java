@@ -58,10 +58,9 @@ public final class Routes {
 
     private final int[] rowArrival;
 
-    /** The routes of a maze. */
-    public Routes(MazeTables maze) {
-        graph = maze.graph();
-        corridors = maze.paths().corridors();
+    Routes(MazeGraph graph, Corridors corridors) {
+        this.graph = graph;
+        this.corridors = corridors;
         nodes = graph.nodeCount();
         int junctions = graph.junctionCount();
         rowOf = new int[5 * junctions];

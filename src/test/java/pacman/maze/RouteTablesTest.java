@@ -14,24 +14,22 @@ class RouteTablesTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 3})
-    void lengths_areThoseOfTheSimulatorsPaths(int maze) {
+    void lengths_areThoseOfTheListedPaths(int maze) {
         MazeTables tables = Mazes.standard().get(maze);
-        MazeGraph graph = tables.graph();
-        Routes routes = new Routes(tables);
-        PathTables paths = new PathTables(tables, routes);
-        ResumableRandom random = new ResumableRandom(maze);
-        for (int row = 0; row < routes.rowCount(); row++) {
-            for (int target = 0; target < graph.lair(); target++) {
-                assertThat(paths.rowLength(row, target))
-                        .isEqualTo(tables.paths()
-                                .directedLength(routes.junctionOfRow(row), target, routes.arrivalOfRow(row)));
+        MazePaths paths = tables.paths();
+        PlainPaths plain = new PlainPaths(tables);
+        int[] path = new int[MazePaths.LONGEST * tables.graph().nodeCount()];
+        for (int row = 0; row < paths.routes().rowCount(); row++) {
+            for (int target = 0; target < tables.graph().lair(); target++) {
+                assertThat(paths.rowLength(row, target)).isEqualTo(paths.rowPath(row, target, path, 0));
             }
         }
+        ResumableRandom random = new ResumableRandom(maze);
         for (int round = 0; round < ROUNDS; round++) {
-            int from = random.nextInt(graph.lair());
-            int to = random.nextInt(graph.lair());
+            int from = random.nextInt(tables.graph().lair());
+            int to = random.nextInt(tables.graph().lair());
             assertThat(paths.undirectedLength(from, to))
-                    .isEqualTo(tables.paths().undirectedLength(from, to));
+                    .isEqualTo(plain.undirected(from, to).size());
         }
     }
 
@@ -40,20 +38,20 @@ class RouteTablesTest {
     void neighboursThatAnApproachEnters_areThoseOnThePath(int maze) {
         MazeTables tables = Mazes.standard().get(maze);
         MazeGraph graph = tables.graph();
-        Routes routes = new Routes(tables);
-        PathTables paths = new PathTables(tables, routes);
+        Routes routes = tables.paths().routes();
+        ApproachTables approaches = new ApproachTables(tables);
         ResumableRandom random = new ResumableRandom(maze);
         for (int round = 0; round < ROUNDS; round++) {
             int from = random.nextInt(graph.lair());
             int to = random.nextInt(graph.lair());
             int lastMove = random.nextInt(5);
             int[] path = tables.paths().directedPath(from, to, lastMove);
-            int approach = paths.approach(routes.continuing(from, lastMove), to);
-            assertThat(PathTables.lengthOf(approach)).isEqualTo(path.length);
+            int approach = approaches.approach(routes.continuing(from, lastMove), to);
+            assertThat(ApproachTables.lengthOf(approach)).isEqualTo(path.length);
             for (int d = 0; d < 4; d++) {
                 int neighbour = graph.neighbour(to, d);
                 boolean entered = neighbour >= 0 && Arrays.stream(path).anyMatch(node -> node == neighbour);
-                assertThat(PathTables.neighboursOf(approach) >> d & 1)
+                assertThat(ApproachTables.neighboursOf(approach) >> d & 1)
                         .as("from %d after %d to %d, neighbour %d", from, lastMove, to, d)
                         .isEqualTo(entered ? 1 : 0);
             }
@@ -65,9 +63,9 @@ class RouteTablesTest {
     void lanes_sayWhatComparingPathsSays(int maze) {
         MazeTables tables = Mazes.standard().get(maze);
         MazeGraph graph = tables.graph();
-        Routes routes = new Routes(tables);
-        PathTables paths = new PathTables(tables, routes);
-        OnwardJunctions onward = new OnwardJunctions(tables, routes, paths);
+        MazePaths paths = tables.paths();
+        Routes routes = paths.routes();
+        OnwardJunctions onward = new OnwardJunctions(tables);
         ResumableRandom random = new ResumableRandom(maze);
         for (int round = 0; round < ROUNDS; round++) {
             int row = Routes.row(anyRoute(graph, routes, random));

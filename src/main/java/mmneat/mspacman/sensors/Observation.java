@@ -2,7 +2,8 @@ package mmneat.mspacman.sensors;
 
 import java.util.Arrays;
 import pacman.game.Game;
-import pacman.maze.PathTables;
+import pacman.maze.ApproachTables;
+import pacman.maze.MazePaths;
 import pacman.maze.PillTables;
 import pacman.maze.Routes;
 
@@ -30,7 +31,7 @@ public final class Observation {
 
     private Game game;
     private SensorTables tables;
-    private PathTables paths;
+    private MazePaths paths;
     private Routes routes;
 
     // The state.
@@ -196,9 +197,9 @@ public final class Observation {
                 threats++;
             }
             if (isOutside(ghost)) {
-                int approach = paths.approach(ghostRoute[ghost], node);
-                ghostPathLength[ghost] = PathTables.lengthOf(approach);
-                neighboursPassed[ghost] = PathTables.neighboursOf(approach);
+                int approach = tables.approaches.approach(ghostRoute[ghost], node);
+                ghostPathLength[ghost] = ApproachTables.lengthOf(approach);
+                neighboursPassed[ghost] = ApproachTables.neighboursOf(approach);
                 ghostPlace[ghost] = routes.place(ghostNode[ghost]);
             }
             harmless[ghost] = safety.harmlessSteps(ghost);

@@ -1,7 +1,7 @@
 package mmneat.mspacman.sensors;
 
+import pacman.maze.MazePaths;
 import pacman.maze.OnwardJunctions;
-import pacman.maze.PathTables;
 import pacman.maze.Routes;
 
 /**
@@ -26,7 +26,7 @@ final class SafetyTest {
 
     private final Observation observation;
     private SensorTables tables;
-    private PathTables paths;
+    private MazePaths paths;
 
     /** Ms. Pac-Man's route, its row, and the steps to the next junction. */
     private long route;
@@ -273,7 +273,7 @@ final class SafetyTest {
         if (stamps.length < nodes) {
             stamps = new int[nodes];
             stamp = 0;
-            path = new int[PathTables.LONGEST * nodes];
+            path = new int[MazePaths.LONGEST * nodes];
         }
         stamp++;
         int length = paths.path(route, observation.least(), end, path);

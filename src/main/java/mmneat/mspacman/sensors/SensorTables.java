@@ -1,10 +1,11 @@
 package mmneat.mspacman.sensors;
 
+import pacman.maze.ApproachTables;
 import pacman.maze.MazeDistances;
 import pacman.maze.MazeGraph;
+import pacman.maze.MazePaths;
 import pacman.maze.MazeTables;
 import pacman.maze.OnwardJunctions;
-import pacman.maze.PathTables;
 import pacman.maze.PillTables;
 import pacman.maze.Routes;
 import pacman.maze.WalkTables;
@@ -15,7 +16,8 @@ final class SensorTables {
     final MazeGraph graph;
     final MazeDistances distances;
     final Routes routes;
-    final PathTables paths;
+    final MazePaths paths;
+    final ApproachTables approaches;
     final PillTables pills;
     final PillTables powerPills;
     final OnwardJunctions onward;
@@ -46,11 +48,12 @@ final class SensorTables {
     private SensorTables(MazeTables maze, int lookAhead, double closeness) {
         graph = maze.graph();
         distances = maze.distances();
-        routes = new Routes(maze);
-        paths = new PathTables(maze, routes);
-        pills = PillTables.ofPills(graph, routes, paths);
-        powerPills = PillTables.ofPowerPills(graph, routes, paths);
-        onward = new OnwardJunctions(maze, routes, paths);
+        paths = maze.paths();
+        routes = paths.routes();
+        approaches = new ApproachTables(maze);
+        pills = PillTables.ofPills(graph, paths);
+        powerPills = PillTables.ofPowerPills(graph, paths);
+        onward = new OnwardJunctions(maze);
         walks = new WalkTables(graph, lookAhead);
         closePowerPills = new long[graph.nodeCount()];
         fromLairExit = new short[graph.nodeCount()];
