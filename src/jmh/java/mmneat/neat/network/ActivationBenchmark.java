@@ -41,9 +41,9 @@ public class ActivationBenchmark {
 
     /**
      * "champion": 25 hidden neurons and 180 links; "young": 6 and 75; "evolved": the champion of a whole run, 12 and
-     * 84.
+     * 84; "large": 100 and 500.
      */
-    @Param({"champion", "young", "evolved"})
+    @Param({"champion", "young", "evolved", "large"})
     String size;
 
     private final Genotype[] genotypes = new Genotype[NETWORKS];
@@ -78,6 +78,7 @@ public class ActivationBenchmark {
         return switch (size) {
             case "champion" -> SampleGenotypes.champion(sizes);
             case "young" -> SampleGenotypes.young(sizes);
+            case "large" -> SampleGenotypes.large(sizes);
             default -> ShippedChampions.read("blended").genotype();
         };
     }

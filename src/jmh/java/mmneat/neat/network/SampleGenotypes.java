@@ -43,6 +43,11 @@ public final class SampleGenotypes {
         return grown(random, CHAMPION_INPUTS, withPreference(2), 6, 75);
     }
 
+    /** A two-module network of 30 inputs, 4 outputs, 100 hidden neurons and 500 active links. */
+    public static Genotype large(RandomGenerator random) {
+        return grown(random, CHAMPION_INPUTS, withPreference(2), 100, 500);
+    }
+
     /** A layout of modules with one policy neuron and a preference neuron each. */
     public static ModuleLayout withPreference(int modules) {
         return new ModuleLayout(2 * modules, modules, 1, false);

@@ -53,6 +53,14 @@ class NetworkStateTest {
         }
     }
 
+    @Test
+    void networksOf100HiddenNeurons_equalThePlainForm() {
+        for (int i = 0; i < 5; i++) {
+            Genotype genotype = SampleGenotypes.large(random);
+            compareWithPlainForm(genotype, Network.compile(genotype));
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("functions")
     void everyActivationFunction_equalsThePlainForm(ActivationFunction function) {
