@@ -13,8 +13,8 @@ import mmneat.analysis.statistics.Sample;
 import mmneat.experiment.UserError;
 
 /**
- * The statistical comparison of the champions of several experiments in one version of the task. Scores of different
- * versions are not comparable.
+ * The statistical comparison of the champions of several experiments in one version of the task (blended, interleaved
+ * or isolated). Scores of different versions are not comparable.
  *
  * @param version of the task; empty for a task of the user's own
  * @param evaluated whether the scores are those of the evaluation after evolution; if not, of the last generation
@@ -23,7 +23,7 @@ import mmneat.experiment.UserError;
  */
 public record ExperimentComparison(String version, boolean evaluated, ComparisonReport report, List<String> notes) {
 
-    /** Source of the champions' scores. */
+    /** The source of the champions' scores: their evaluations after evolution, or the last generation. */
     public enum Scores {
         /** The evaluations if a finished run has one, else the last generation. */
         AUTO,
@@ -43,10 +43,10 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
     /**
      * Compares the experiments of each version of the task.
      *
-     * @param paper whether to compare with the paper's champions too
+     * @param paper whether to compare each experiment with the paper's champions, too
      * @return one comparison per version, in the order of the experiments
-     * @throws UserError if the evaluations are wanted but an experiment has none, or the paper has none of the
-     *     experiments
+     * @throws UserError in two cases: {@code scores} is {@link Scores#EVALUATION} and an experiment has no evaluated
+     *     run; or {@code paper} is true and none of the experiments is one of the paper's
      */
     public static List<ExperimentComparison> ofEachVersion(List<Experiment> experiments, Scores scores, boolean paper) {
         Map<String, List<Experiment>> versions = Experiment.byVersion(experiments);

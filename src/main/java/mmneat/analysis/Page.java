@@ -10,8 +10,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A self-contained HTML page, filled in from a template among the resources. In the template, {@code {{name}}} is
- * replaced by the value set with {@link #with}, and {@code {{file:name}}} by another resource of the same folder.
+ * A self-contained HTML page, made from a template with placeholders. The template is a resource of the program. The
+ * placeholder {@code {{name}}} is replaced by the value set with {@link #with}, and {@code {{file:name}}} by the
+ * content of another resource of the same folder.
  */
 public final class Page {
 

@@ -29,7 +29,7 @@ import mmneat.neat.io.GenotypeFormatException;
 public record Champion(
         Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters, Optional<Path> jar) {
 
-    /** A network of a run whose own classes must not be loaded. */
+    /** Creates a champion without a jar. Classes of the user's own that the run's parameters name are not loaded. */
     public Champion(Genotype genotype, Path file, Optional<Path> runFolder, Map<String, String> parameters) {
         this(genotype, file, runFolder, parameters, Optional.empty());
     }

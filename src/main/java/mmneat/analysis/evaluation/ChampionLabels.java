@@ -25,7 +25,8 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
      * The names from the champion's task. If that task cannot be found or made, inputs and modules are numbered, and
      * the remark gives the reason.
      *
-     * @param version of the task; if empty, that of the champion's run, or else the one with its number of inputs
+     * @param version of the task; if empty, the version of the champion's run, or if the run is unknown, a version with
+     *     as many inputs as the champion's network has
      * @throws UserError if a version is given that the network does not suit
      */
     public static ChampionLabels of(Champion champion, Optional<TaskVersion> version) {
@@ -52,8 +53,9 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
     }
 
     /**
-     * The names for a network that plays Ms. Pac-Man; a module that a division chooses, or whose group it chooses,
-     * bears the observation.
+     * Returns the names for a network that plays Ms.&nbsp;Pac-Man. Modules are numbered from 1. If a division chooses
+     * modules, or groups of modules in a hybrid, the name of a module also says in which situation the division chooses
+     * it or its group, for example "module 2: some ghost edible".
      */
     public static NetworkLabels of(MsPacManTaskSettings settings, ModuleLayout layout) {
         boolean divided = layout.isDivided() && settings.division() != null;

@@ -26,7 +26,8 @@ final class ChampionTask {
     /**
      * The task of a champion.
      *
-     * @param version of the task; if empty, that of the champion's run, or else the one with its number of inputs
+     * @param version of the task; if empty, the version of the champion's run, or if the run is unknown, a version with
+     *     as many inputs as the champion's network has
      * @param ghostLocations file of ghost locations for the isolated version, if not that of the run
      * @throws UserError if the network does not fit the task, or the task cannot be made
      */

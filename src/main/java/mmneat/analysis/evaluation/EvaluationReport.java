@@ -29,8 +29,12 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * The original's evaluation report: one evaluation of many trials, with module use per direction. Random numbers are
- * drawn from the run's seed in the original's order.
+ * The original's evaluation report on a champion, equal to the original's file: one evaluation of many trials. All
+ * games draw from one generator with the run's seed, in the original's order. The report is for comparisons with the
+ * original; {@link ChampionEvaluator} plays games in parallel and writes statistics and tables.
+ *
+ * <p>In each time step the network is activated once for each of the four directions. The report counts the modules
+ * that decided in each of these four activations, and apart from them the module of the chosen direction.
  *
  * <p>Source: docs/specification/evolution.md, section 6.2.
  */

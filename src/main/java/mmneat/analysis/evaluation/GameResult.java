@@ -9,16 +9,18 @@ import mmneat.mspacman.GameEnd;
 import mmneat.mspacman.ModuleUse;
 
 /**
- * The result of one game of an evaluation; in the isolated version of one trial of five games.
+ * The result of one trial of an evaluation. A trial is one game, except in the isolated version: there it is a set of
+ * five games that are scored together, one game of eating pills without power pills (the pill game) and four games of
+ * eating ghosts, one from the place of each power pill.
  *
- * @param number number of the game, from 0
+ * @param number number of the trial, from 0
  * @param seed of the game's generator: {@code watch seed=...} shows this game
  * @param score points
  * @param ghosts the ghost objective
  * @param pills the pill objective
  * @param levels levels finished
  * @param steps time steps
- * @param end why the game ended; in the isolated version, why the pill game ended
+ * @param end why the game ended; in the isolated version, why the pill game, the first of the five, ended
  * @param maze index of the maze in which it ended
  * @param moduleUse how often each module decided, for each observation of {@link ModuleUse.When}
  */

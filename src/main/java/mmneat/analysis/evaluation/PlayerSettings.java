@@ -18,7 +18,8 @@ public final class PlayerSettings {
     /**
      * The settings for a champion, one trial per evaluation.
      *
-     * @param version of the task; if empty, that of the champion's run or what its inputs say
+     * @param version of the task; if empty, the version of the champion's run, or if the run is unknown, a version with
+     *     as many inputs as the champion's network has
      * @param ghostLocations file of ghost locations for the isolated version, if not that of the run
      * @throws UserError if the network does not suit the version
      */

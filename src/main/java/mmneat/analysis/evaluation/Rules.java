@@ -6,13 +6,25 @@ import mmneat.experiment.UserError;
 import pacman.game.Constants;
 import pacman.game.GameRules;
 
-/** The rules under which champions are evaluated (docs/specification/evolution.md, section 6.1). */
+/**
+ * The rules under which champions are evaluated: those of the evolution ({@link #TRAINING}), or one of two sets of
+ * rules with more lives ({@link #FOUR_MAZE}, {@link #MPM_VS_GHOSTS}). The other settings of the version of the task
+ * stay as they are.
+ *
+ * <p>Source: docs/specification/evolution.md, section 6.1.
+ */
 public enum Rules {
-    /** As in evolution: one life. */
+    /** Label {@code training}. As in evolution: one life. */
     TRAINING("training"),
-    /** Three lives and an extra one through the four mazes, without a time limit of consequence. */
+    /**
+     * Label {@code FourMaze}. Three lives and an extra one, through the four mazes. The time limit, 50,000 steps per
+     * level, is too high to matter.
+     */
     FOUR_MAZE("FourMaze"),
-    /** The competition of 2011: three lives and an extra one, 16 levels of 3000 steps, credit for what is left. */
+    /**
+     * Label {@code MPMvsG}. The Ms.&nbsp;Pac-Man versus Ghosts competition of 2011: three lives and an extra one, 16
+     * levels of 3000 steps; at the end of a level the player gets half the points of the remaining pills.
+     */
     MPM_VS_GHOSTS("MPMvsG");
 
     private static final int NO_LIMIT_OF_CONSEQUENCE = 50_000;

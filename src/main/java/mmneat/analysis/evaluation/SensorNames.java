@@ -8,8 +8,11 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 
 /**
- * Short names for the sensors, close to the paper's. "Trapped" is 1 if no junction lies between her and the ghost
- * (docs/specification/mspacman-task.md, section 11).
+ * Short names for the sensors of the Ms.&nbsp;Pac-Man task, close to the paper's, for pictures and explanations.
+ *
+ * <p>One name uses other words than the original's label: the original calls a sensor "trapped" that is 1 if no
+ * junction lies on the path between Ms.&nbsp;Pac-Man and the sensed ghost. Here it is called "no way out". Source:
+ * docs/specification/mspacman-task.md, section 11.
  */
 public final class SensorNames {
 

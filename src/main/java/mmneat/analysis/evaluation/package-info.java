@@ -1,2 +1,5 @@
-/** Champions after evolution: many games under chosen rules, their statistics and reports. */
+/**
+ * Evaluation of champions after evolution: many games under chosen rules, their statistics and reports. {@link
+ * mmneat.experiment} explains the terms.
+ */
 package mmneat.analysis.evaluation;

@@ -11,7 +11,10 @@ import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.Sample;
 
-/** The paper's Figures 5a, 7a and 8a: the median champion's score in each generation. */
+/**
+ * The paper's Figures 5a, 7a and 8a: for each generation, the median over the runs of the score of the generation's
+ * champion.
+ */
 public final class LearningCurveFigure {
 
     private static final BasicStroke DASHED =
@@ -20,7 +23,12 @@ public final class LearningCurveFigure {
 
     private LearningCurveFigure() {}
 
-    /** All medians in one panel, as in the paper. */
+    /**
+     * Draws the medians of all experiments in one panel, as in the paper.
+     *
+     * @param version the version of the task, for the title; empty for a task of the user's own
+     * @param experiments the experiments to draw; all must be of this version
+     */
     public static Figure overview(String version, List<Experiment> experiments, PublishedResults paper) {
         Panel panel = new Panel(MethodName.title(version), "Generation", "Champion's score, median over runs");
         int last = lastGeneration(experiments);
@@ -53,7 +61,12 @@ public final class LearningCurveFigure {
                 legend);
     }
 
-    /** One panel per method: median and quartiles over the runs. */
+    /**
+     * Draws one panel per experiment: median and quartiles over the runs.
+     *
+     * @param version the version of the task; empty for a task of the user's own
+     * @param experiments the experiments to draw; all must be of this version
+     */
     public static Figure panels(String version, List<Experiment> experiments, PublishedResults paper) {
         int last = lastGeneration(experiments);
         boolean published = false;

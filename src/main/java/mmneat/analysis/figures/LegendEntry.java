@@ -5,8 +5,9 @@ import java.util.List;
 /**
  * An entry of a figure's legend.
  *
- * @param text meaning of the swatches
- * @param swatches one for each way in which the figure draws such data, for example one per method
+ * @param text the meaning, for example "quartiles"
+ * @param swatches samples of the lines, areas or points with this meaning, beside the text: for example, if each method
+ *     draws its quartiles as an area in another colour, one area per method
  */
 record LegendEntry(String text, List<Swatch> swatches) {
 

@@ -14,7 +14,13 @@ public final class ModuleUseFigure {
 
     private ModuleUseFigure() {}
 
-    /** The figure, one panel per experiment that has an evaluated run; empty if none has. */
+    /**
+     * Draws one panel per experiment that has an evaluated run.
+     *
+     * @param version the version of the task; empty for a task of the user's own
+     * @param all the experiments; all must be of this version
+     * @return empty if no experiment has an evaluated run
+     */
     public static Optional<Figure> of(String version, List<Experiment> all, PublishedResults paper) {
         List<Experiment> experiments = all.stream()
                 .filter(experiment -> experiment.runs().stream().anyMatch(RunResult::isComparable))

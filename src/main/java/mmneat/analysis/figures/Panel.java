@@ -15,7 +15,7 @@ import mmneat.analysis.figures.Canvas.Align;
 /** A chart with two axes, curves, areas, points and labels. */
 final class Panel {
 
-    /** A line; if the stroke is null, the filled area inside the line. */
+    /** A line through points; if the stroke is null, the points are the corners of a filled polygon. */
     private record Curve(double[] x, double[] y, Color color, BasicStroke stroke) {}
 
     private record Points(double[] x, double[] y, MethodStyle style) {}

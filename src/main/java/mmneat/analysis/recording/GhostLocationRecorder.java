@@ -18,6 +18,10 @@ import pacman.game.Game;
  * Records where the ghosts are when a champion eats a power pill while all four are outside the lair and none is
  * edible: the situations from which the ghost-eating games of the isolated version start.
  *
+ * <p>Call {@link #playGame} with {@link #scarcestMaze} until {@link #isComplete}, then get the recording by {@link
+ * #text}. A weak champion may never reach some power pill, so limit the number of {@link #games}; {@link #missing} then
+ * tells which situations are missing.
+ *
  * <p>The same champion, settings and seed give the same recording. {@link pacman.game.GhostLocations} reads its text.
  *
  * <p>Source: the paper's description of the isolated task; docs/specification/simulator.md, section 7 (database);
@@ -42,7 +46,9 @@ public final class GhostLocationRecorder {
     /**
      * A recorder that has recorded nothing yet.
      *
-     * @param settings how the champion plays full games; their first maze is set for each game
+     * @param settings the settings of the games, of the blended or interleaved version. The object is not changed; each
+     *     game uses a copy with its own first maze
+     * @param champion the network that plays
      * @param wanted situations for each power pill of each maze, at least 1
      * @param seed of the generator of all games
      */
@@ -60,7 +66,7 @@ public final class GhostLocationRecorder {
     }
 
     /**
-     * Plays one game and notes its situations.
+     * Plays one game and keeps its situations, except for power pills that already have the wanted number.
      *
      * @param firstMaze maze in which it starts, 0 to 3
      */
@@ -96,7 +102,7 @@ public final class GhostLocationRecorder {
         return lines.stream().allMatch(situations -> situations.size() == wanted);
     }
 
-    /** Number of situations that are kept. */
+    /** Number of situations in the recording so far. */
     public int recorded() {
         return lines.stream().mapToInt(List::size).sum();
     }
@@ -131,7 +137,10 @@ public final class GhostLocationRecorder {
         return lines.stream().flatMap(List::stream).collect(Collectors.joining("\n", "", "\n"));
     }
 
-    /** Compares each step with the one before: the ghosts stand where they were when she ate, for she moves first. */
+    /**
+     * The observer that records the situations. In a time step Ms.&nbsp;Pac-Man moves first. When she eats a power
+     * pill, the ghosts are still at their places after the previous step, so these places are remembered and recorded.
+     */
     private final class Notes implements EvaluationObserver {
 
         private final int[] ghosts = new int[GHOSTS];

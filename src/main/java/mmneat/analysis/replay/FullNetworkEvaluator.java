@@ -16,7 +16,9 @@ import pacman.game.Game;
  * <p>The evaluation draws from a generator of its own. So it may choose differently between two modules with exactly
  * equal preferences; the recorded choice is therefore taken from the player.
  *
- * <p>Source of the order of flushing: docs/specification/mspacman-task.md, section 3.1.
+ * <p>There are four copies of the network, one per direction. Each is flushed (its activations are set to zero) when
+ * its direction is closed, and all are flushed at the start of a level and after a death, as those of the player are.
+ * Source: docs/specification/mspacman-task.md, section 3.1.
  */
 final class FullNetworkEvaluator {
 

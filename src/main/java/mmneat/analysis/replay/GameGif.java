@@ -14,10 +14,11 @@ import mmneat.random.ResumableRandom;
 import pacman.game.Game;
 
 /**
- * An animated GIF of a trial of a network: its games as {@link TrailPicture} draws them, at twice the size of the
- * competition's view. The last frames of a game name its outcome.
+ * An animated GIF of a trial of a network (one game, or the five games of the isolated version), drawn by {@link
+ * TrailPicture} at twice the size of the simulator's window. The last frame of a game names its outcome.
  *
- * <p>There are at most {@value #MOST_FRAMES} frames, of every third step or fewer, so that a whole game stays small.
+ * <p>Every third step is a frame. In a long trial it is only every fourth step, every fifth and so on, so that there
+ * are about {@value #MOST_FRAMES} frames at most and the file stays small.
  */
 public final class GameGif implements EvaluationObserver {
 
@@ -38,7 +39,7 @@ public final class GameGif implements EvaluationObserver {
     private final Progress progress;
     private final int expectedFrames;
 
-    /** Receives the progress of the drawing. */
+    /** The receiver of the progress of the drawing: the numbers of frames drawn and expected. */
     public interface Progress {
 
         /**
@@ -59,7 +60,7 @@ public final class GameGif implements EvaluationObserver {
     }
 
     /**
-     * Plays one trial and writes it.
+     * Plays one trial (one game, or the five games of the isolated version) and writes it as a GIF.
      *
      * @param settings the rules; the number of trials does not matter
      * @param seed of the trial's generator: the same seed gives the same games

@@ -15,7 +15,10 @@ import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
-/** Records a trial of a network that plays Ms. Pac-Man: one game, or the five games of the isolated version. */
+/**
+ * A recording of a trial of a network that plays Ms.&nbsp;Pac-Man: one game, or the five games of the isolated version.
+ * {@link #record} is the entry point; the other public methods are called by the game.
+ */
 public final class GameRecording implements EvaluationObserver {
 
     /** Maximum length of the data in characters; with it the page stays below 3 MB. */
@@ -37,7 +40,7 @@ public final class GameRecording implements EvaluationObserver {
     }
 
     /**
-     * Plays one trial and records it.
+     * Plays one trial (one game, or the five games of the isolated version) and records it.
      *
      * @param settings the rules; the number of trials does not matter
      * @param seed of the trial's generator: the same seed gives the same games
@@ -78,7 +81,10 @@ public final class GameRecording implements EvaluationObserver {
         return setting.name().equals("PillTask") ? "Pills" : setting.name();
     }
 
-    /** Records the step: the state captured before it is the state in which its decision was made. */
+    /**
+     * Records the step that was just played: the state before the move, which was captured earlier, together with the
+     * decision made in that state. Then the state after the move is captured for the next step.
+     */
     @Override
     public void stepPlayed(Game game, DirectionEvaluator player) {
         MOVE made = game.getPacmanLastMoveMade();

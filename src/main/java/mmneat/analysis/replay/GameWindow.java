@@ -46,7 +46,7 @@ public final class GameWindow implements EvaluationObserver {
     }
 
     /**
-     * Plays one trial; needs a display.
+     * Plays and shows one trial: one game, or the five games of the isolated version. Needs a display.
      *
      * @param seed of the trial's generator: the same seed gives the same games
      * @return points of all its games

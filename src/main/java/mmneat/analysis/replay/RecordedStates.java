@@ -5,7 +5,11 @@ import pacman.Recording;
 import pacman.game.Game;
 import pacman.game.GameRules;
 
-/** Converts a game that was recorded as state strings into a {@link Replay}, without knowledge of its controllers. */
+/**
+ * Converter of a {@link Recording} to a {@link Replay}. A recording is a file of state strings, one per time step, as
+ * the command {@code play record=FILE} and the original's simulator write it. It says nothing about the controllers, so
+ * the replay shows no network.
+ */
 public final class RecordedStates {
 
     private RecordedStates() {}

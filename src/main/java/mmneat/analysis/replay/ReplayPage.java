@@ -2,11 +2,12 @@ package mmneat.analysis.replay;
 
 import mmneat.analysis.Page;
 
-/** The HTML page that shows a {@link Replay}: one file, opened from disk, without the network. */
+/** Writer of the HTML page that shows a {@link Replay}: one file, which a browser opens from disk without Internet. */
 public final class ReplayPage {
 
     private ReplayPage() {}
 
+    /** Returns the complete page. */
     public static String html(Replay replay) {
         return new Page("replay", "replay.html")
                 .withText("heading", replay.title().heading())

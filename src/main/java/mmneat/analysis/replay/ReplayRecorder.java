@@ -8,13 +8,12 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Records games step by step and packs them.
+ * Recorder of games, step by step, in a packed form.
  *
- * <p>Every quantity is a column: one byte string over all steps. Columns hold differences from step to step, modulo 256
- * (or 65536, low bytes first, then high bytes), because nearly all differences are 0 or repeat; deflate then finds the
- * runs. Sensor values are rounded to 1/127, activations to 1/32: finer than the eye can tell. A game of four mazes,
- * 8,000 steps with 30 sensors and 40 nodes for each direction, is 2.3 million values and packs to well under a
- * megabyte.
+ * <p>Every quantity is a {@link Column}: one, two or three bytes per step. A column holds differences from step to
+ * step, because nearly all differences are 0 or repeat, and deflate compresses repeated bytes well. Sensor values are
+ * rounded to 1/127, activations to 1/32: finer than the eye can tell. A game of four mazes, 8,000 steps with 30 sensors
+ * and 40 nodes for each direction, is 2.3 million values and packs to well under a megabyte.
  */
 public final class ReplayRecorder {
 

@@ -55,7 +55,10 @@ public final class ReplayStep {
     /** The direction chosen, or {@link #NO_MOVE}. */
     public int choice = NO_MOVE;
 
-    /** For each direction whether it is open; for closed directions the values below are ignored. */
+    /**
+     * For each direction whether it is open, without a wall. For closed directions {@link #preferences}, {@link
+     * #modules}, {@link #sensors} and {@link #activations} are ignored.
+     */
     public final boolean[] open = new boolean[4];
 
     /** The network's output for each open direction, in [-1, 1]. */

@@ -15,8 +15,9 @@ import pacman.game.GameView;
 import pacman.game.MachineFonts;
 
 /**
- * An image of a network's game: the competition's view, enlarged, with Ms. Pac-Man's trail in the current maze in one
- * colour per module, and a legend below. The playing thread draws it; no display is needed.
+ * An image of a network's game: the view of the simulator's window ({@link GameView}), enlarged, with Ms. Pac-Man's
+ * trail in the current maze in one colour per module, and a legend below. The playing thread draws it; no display is
+ * needed.
  */
 final class TrailPicture {
 

@@ -64,7 +64,9 @@ public final class ExperimentReport {
      * A report.
      *
      * @param comparisons one per version of the task
-     * @param jar the jar with the classes that the runs' parameters name; empty if they must not be loaded
+     * @param jar the jar with the user's own classes that the runs' parameters name, such as a task or sensors. They
+     *     give the inputs of the networks their names in the pictures. If empty, the classes are not loaded, and these
+     *     inputs are numbered
      */
     public ExperimentReport(List<Experiment> experiments, List<ExperimentComparison> comparisons, Optional<Path> jar) {
         this.jar = jar;
@@ -72,7 +74,10 @@ public final class ExperimentReport {
         this.comparisons = List.copyOf(comparisons);
     }
 
-    /** The figures of each version of the task. */
+    /**
+     * Draws the figures of each version of the task: learning curves and module use. Apart from {@link #html}, so that
+     * the caller can save them as files, too.
+     */
     public List<Figure> figures() {
         List<Figure> figures = new ArrayList<>();
         Experiment.byVersion(experiments).forEach((version, ofVersion) -> {
@@ -87,7 +92,7 @@ public final class ExperimentReport {
      * The report as HTML.
      *
      * @param title heading of the page
-     * @param figures figures at its top, from {@link #figures}
+     * @param figures the figures for the top of the page, usually the result of {@link #figures}
      * @param replays gives the link to the replay of a run's champion, or null if it has none
      */
     public String html(String title, List<Figure> figures, BiFunction<Experiment, RunResult, String> replays) {

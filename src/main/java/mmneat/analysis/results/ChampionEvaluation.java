@@ -8,13 +8,14 @@ import java.util.List;
  * The summary of many games of a champion, which {@code evaluate} writes into the run's folder.
  *
  * @param network id of the champion
- * @param rules the rules of the games: training, FourMaze or MPMvsG
- * @param games number of games (trials)
+ * @param rules label of the rules of the games: {@code training}, {@code FourMaze} or {@code MPMvsG} ({@link
+ *     mmneat.analysis.evaluation.Rules} explains them)
+ * @param games number of games; in the isolated version number of trials, each a set of five games
  * @param meanScore average game score
  * @param standardDeviation deviation of the game scores, with n - 1; null for one game
  * @param low lower end of the 95 % confidence interval of the mean; null for one game
  * @param high upper end; null for one game
- * @param moduleUse for each {@link #SITUATIONS observation} how often each module was used
+ * @param moduleUse for each of the {@link #SITUATIONS}, in their order, how often each module decided
  * @param deathsByMaze games that ended by being caught in maze 0, 1, 2, 3
  */
 public record ChampionEvaluation(
@@ -46,9 +47,10 @@ public record ChampionEvaluation(
     private static final int MAZES = 4;
 
     /**
-     * Checks the numbers, because they may come from a file.
+     * Checks the numbers, because they may come from a damaged file.
      *
-     * @throws IllegalArgumentException if games cannot have these numbers; the message names the first
+     * @throws IllegalArgumentException if a number is impossible, such as a negative deviation; the message names the
+     *     first impossible number
      */
     public ChampionEvaluation {
         require(games >= 1, "games", games);

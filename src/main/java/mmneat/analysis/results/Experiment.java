@@ -15,7 +15,8 @@ import mmneat.mspacman.TaskVersion;
  * Runs that differ only in the seed.
  *
  * @param version blended, interleaved, isolated, or empty for a task of the user's own
- * @param method 1M, 2M, 3M, MMD, MT, MT2, MT3, or the name of the folder
+ * @param method name of the method that the parameters define, such as {@code 2M} ({@link mmneat.experiment} explains
+ *     the names); for parameters without a named method, the name of the runs' folders without the number
  * @param label name in tables and figures, unique among the experiments read together
  * @param runs its runs in the order of their numbers, at least one
  */
@@ -32,8 +33,11 @@ public record Experiment(String version, String method, String label, List<RunRe
     }
 
     /**
-     * How the parameters differ from the paper's for the same version and method, by name: the paper's values. Empty
-     * also for what the paper does not have.
+     * Returns the parameters whose values differ from those of the paper's experiment with the same version and method.
+     * Of the runs of this experiment the first one is compared.
+     *
+     * @return the paper's value by the name of the parameter, only for parameters that differ; empty also if the paper
+     *     has no experiment with this version and method
      */
     public Map<String, String> differencesFromPaper() {
         Optional<TaskVersion> published = TaskVersion.labelled(version)
@@ -54,10 +58,10 @@ public record Experiment(String version, String method, String label, List<RunRe
     }
 
     /**
-     * The champion scores of the runs that can be compared.
+     * Returns one score per run. Unfinished runs are left out.
      *
-     * @param evaluated whether to take the evaluations of the runs that are finished and evaluated, or the last
-     *     generations of those that are finished
+     * @param evaluated if true, the mean scores of the evaluations after evolution, and runs without an evaluation are
+     *     left out, too; if false, the best scores of the last generation
      */
     public double[] championScores(boolean evaluated) {
         return runs.stream()
@@ -67,8 +71,9 @@ public record Experiment(String version, String method, String label, List<RunRe
     }
 
     /**
-     * The run with the best champion: by its evaluation, if a finished run has one; if none has, by the score with
-     * which it was chosen.
+     * Returns the run with the best champion. If at least one finished run has an evaluation, only such runs are
+     * candidates, and the best mean score of an evaluation decides. Otherwise all runs are candidates, and the best
+     * {@link RunResult#scoreOfChampion} decides.
      */
     public RunResult best() {
         return runs.stream()

@@ -11,7 +11,10 @@ import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.RunLayout;
 
-/** The columns of a log of parents, of the original or of one of its later versions. */
+/**
+ * Finder of the column with the champion's score in a log of parents. The log may be that of a run of this program, of
+ * the original, or of a later version of MM-NEAT, which have different columns.
+ */
 final class ParentsLog {
 
     private static final Pattern TITLE = Pattern.compile("set title \".* Game ?Score\"");

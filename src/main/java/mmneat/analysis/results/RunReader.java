@@ -22,7 +22,11 @@ import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.SymbolicLinks;
 
 /**
- * Reads the folder of a run of this program or of the original: the champion's scores, the parameters, the evaluation.
+ * Reader of the folder of a run of this program or of the original: the champion's scores, the parameters, the
+ * evaluation.
+ *
+ * <p>To read whole runs with parameters ({@link RunResult}) from outside of this package, use {@link
+ * ExperimentFinder#find}; the folder of a single run is allowed there, too.
  */
 public final class RunReader {
 
@@ -53,10 +57,11 @@ public final class RunReader {
     }
 
     /**
-     * The champion's score in each generation: from our own table, or from the log in the original's form, which the
-     * original's runs have alone.
+     * Returns the score of each generation's champion. It is read from this program's table {@code generations.csv}, or
+     * if that is missing, as in runs of the original, from the log of parents.
      *
-     * @throws UserError if there is none
+     * @param folder the folder of the run
+     * @throws UserError if the folder has neither file, or the file cannot be read
      */
     public static double[] championScores(Path folder) {
         Path table = folder.resolve(RunLayout.GENERATIONS);

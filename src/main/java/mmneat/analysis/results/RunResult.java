@@ -10,7 +10,8 @@ import java.util.Optional;
  * @param folder the run's folder
  * @param number the run's number
  * @param parameters its parameters, by name
- * @param championScores the champion's average score in each generation, from generation 0
+ * @param championScores for each generation, from generation 0, the best mean game score among its parents (that of the
+ *     champion of this generation); the last entry is of the final parents, which have no children
  * @param evaluation the champion's evaluation after evolution under the training rules, if there was one
  */
 public record RunResult(
@@ -20,12 +21,15 @@ public record RunResult(
         double[] championScores,
         Optional<ChampionEvaluation> evaluation) {
 
-    /** The best score in the last generation. */
+    /** The best score among the final parents, which are evaluated but have no children. */
     public double lastScore() {
         return championScores[championScores.length - 1];
     }
 
-    /** The champion's score in the generation in which it was chosen: the last that had children. */
+    /**
+     * The score of the run's champion when it was chosen. As in the original, the champion is chosen among the parents
+     * of the last generation that had children, one generation before the final parents ({@link #lastScore}).
+     */
     public double scoreOfChampion() {
         return championScores[Math.max(0, championScores.length - 2)];
     }
@@ -35,7 +39,10 @@ public record RunResult(
         return championScores.length - 1;
     }
 
-    /** Whether the run is finished and its champion was evaluated: only then does its score stand beside others. */
+    /**
+     * Whether the run is finished and its champion was evaluated after evolution. Comparisons by evaluations take only
+     * such runs; comparisons by the last generation take all finished runs.
+     */
     public boolean isComparable() {
         return !isUnfinished() && evaluation.isPresent();
     }

@@ -14,7 +14,11 @@ public record BootstrapInterval(double low, double high, double level) {
 
     private static final int RESAMPLES = 10_000;
 
-    /** The same sample, level and seed always give the same interval; that of a single value has the ends NaN. */
+    /**
+     * Computes the interval from 10,000 drawn samples. The same sample, level and seed always give the same interval.
+     *
+     * @return ends NaN if the sample has fewer than two values
+     */
     public static BootstrapInterval ofMedian(Sample sample, double level, long seed) {
         if (!(level > 0 && level < 1)) {
             throw new IllegalArgumentException("the level of an interval is between 0 and 1, not " + level);

@@ -20,10 +20,12 @@ public final class ComparisonReport {
     private final List<PaperSample> paper;
 
     /**
-     * A group of the paper beside one of ours.
+     * The scores of a group (an experiment) of the paper, for comparison with the group of ours that has the same
+     * label.
      *
-     * @param sample its scores, with the label of our group
-     * @param isComparable whether our group has scores of the same kind: without them there is no test
+     * @param sample the scores of the paper's group; its label is that of our group
+     * @param isComparable whether our group has scores from evaluations after evolution, as the paper's group has;
+     *     otherwise the two are not tested
      * @param differences how the parameters of our group differ from the paper's; empty if they do not
      */
     public record PaperSample(Sample sample, boolean isComparable, String differences) {}

@@ -11,8 +11,9 @@ public final class Numbers {
     private static final double LARGE = 1e9;
 
     /**
-     * A score: groups of three digits and no decimals if it is a hundred or more, else up to four digits; with an
-     * exponent from a billion on; a dash for NaN.
+     * Formats a score. From 100 on and for whole numbers: no decimals, and commas between groups of three digits.
+     * Otherwise: at most four significant digits. From a billion on: with an exponent. NaN: a dash. Negative scores: by
+     * their absolute value.
      */
     public static String score(double value) {
         if (Double.isNaN(value)) {

@@ -6,10 +6,10 @@ import org.apache.commons.statistics.inference.MannWhitneyUTest;
 import org.apache.commons.statistics.inference.PValueMethod;
 
 /**
- * Two-sided Mann-Whitney U test of two samples, as R's {@code wilcox.test} decides it: exact if both have fewer than 50
- * values and no value occurs twice in the pair, else the normal approximation with continuity correction and
- * tie-corrected variance (docs/specification/evolution.md, section 8). The probabilities themselves are computed by
- * Commons Statistics.
+ * Two-sided Mann-Whitney U test of two samples. The method of computing p is chosen as by R's {@code wilcox.test}:
+ * exact if both samples have fewer than 50 values and no value occurs twice in the two samples together; otherwise the
+ * normal approximation with continuity correction and tie-corrected variance (docs/specification/evolution.md, section
+ * 8). Commons Statistics computes the probabilities.
  *
  * @param a label of the first sample
  * @param b label of the second sample
@@ -22,9 +22,11 @@ import org.apache.commons.statistics.inference.PValueMethod;
  */
 public record PairwiseTest(String a, String b, double u, boolean ties, Method method, double p, double effectSize) {
 
-    /** The method by which R computes p. */
+    /** The method of computing p. */
     public enum Method {
+        /** The exact distribution of U. */
         EXACT,
+        /** The normal approximation, with continuity correction and tie-corrected variance. */
         NORMAL
     }
 
@@ -48,8 +50,8 @@ public record PairwiseTest(String a, String b, double u, boolean ties, Method me
     }
 
     /**
-     * The usual word for the size of the effect: negligible, small, medium, large at |A - 0.5| of 0.06, 0.14, 0.21
-     * (Vargha and Delaney 2000).
+     * The usual word for the size of the effect, by d = |A - 0.5|: negligible for d below 0.06, small below 0.14,
+     * medium below 0.21, and large from there on (Vargha and Delaney 2000).
      */
     public String magnitude() {
         double distance = Math.abs(effectSize - 0.5);

@@ -1,11 +1,11 @@
 package mmneat.analysis.tasks;
 
 /**
- * Counts of one game.
+ * The counts of one game. A task is a subtask of the game, such as eating pills.
  *
  * @param steps decisions of the player, at least 1
- * @param switches steps in which other tasks were to be done than in the step before; steps without any task continue
- *     the last ones
+ * @param switches steps in which another set of tasks was to be done than in the step before. A step without any task
+ *     counts as if the tasks of the step before were still to be done
  * @param overlaps at index [i][j]: steps in which tasks i and j were both to be done; at [i][i]: steps of task i
  * @param overlapping steps in which two or more tasks were to be done
  * @param score points of the game

@@ -11,10 +11,11 @@ import mmneat.mspacman.modules.ModuleDivisions;
 import mmneat.mspacman.sensors.Observation;
 
 /**
- * A division of the game into tasks, as a designer defines it.
+ * A division of the game into subtasks, as a designer defines it. Each subtask is a predicate on states of the game: it
+ * is to be done in the states in which the predicate holds.
  *
  * @param name the name, as written by users
- * @param tasks at least two, at most 31
+ * @param tasks the predicates, at least two, at most 31
  */
 public record TaskDivision(String name, List<TaskPredicate> tasks) {
 
@@ -53,17 +54,20 @@ public record TaskDivision(String name, List<TaskPredicate> tasks) {
     }
 
     /**
-     * The division that fits a version: the pill task and the ghost task for the isolated one, else being among threats
-     * and being among edible ghosts.
+     * Returns the division that fits a version. For the isolated version: pills are left (eating pills), and no pills
+     * are left (eating ghosts). For the others: a ghost outside the lair is a threat (fleeing), and a ghost is edible
+     * (eating it).
      */
     public static TaskDivision usual(TaskVersion version) {
         return named(version == TaskVersion.ISOLATED ? "pills,noPills" : "threats,edible");
     }
 
     /**
-     * The division with a name: single predicates separated by commas, or a division among modules, whose modules are
-     * the tasks.
+     * Returns the division with a name.
      *
+     * @param name two or more of {@link #predicateNames}, separated by commas; or the name of a division among modules,
+     *     such as {@code AnyGhostEdible} ({@link ModuleDivisions#named}). Of such a division, each module is a subtask:
+     *     it is to be done in the states in which the division chooses this module
      * @throws UserError if there is none
      */
     public static TaskDivision named(String name) {

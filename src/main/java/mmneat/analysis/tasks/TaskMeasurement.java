@@ -5,9 +5,10 @@ import mmneat.mspacman.TaskVersion;
 import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
 
 /**
- * The episodes of one player in one version of the task, seen through one division.
+ * The measurements of the games (episodes) of one player, in one version of the Ms.&nbsp;Pac-Man task, for one division
+ * of the game into subtasks.
  *
- * @param division into tasks
+ * @param division the division into subtasks
  * @param episodes games that were played, at least one
  */
 public record TaskMeasurement(TaskDivision division, List<Episode> episodes) {
