@@ -9,9 +9,11 @@ import java.util.Objects;
  * @param objectives the scores that selection uses, all maximised and finite, in the order of {@link
  *     Task#objectiveNames()}
  * @param otherScores scores that are only recorded, all finite, in the order of {@link Task#otherScoreNames()}
- * @param moduleUsage how often each output module of the genotype was chosen, in the part of the evaluation that counts
- *     for module mutation and for the logs (docs/specification/networks.md, section 6.4)
- * @param outcomes how the trials ended
+ * @param moduleUsage how often each output module of the genotype was chosen: one count per module. Module mutation
+ *     adds a module only if all modules were used enough, and logs show the counts. A task of your own counts all time
+ *     steps ({@code NetworkState.moduleUsage}). The Ms.&nbsp;Pac-Man task counts only a part of them, a quirk of the
+ *     original (docs/specification/networks.md, section 6.4)
+ * @param outcomes counts of how the episodes of all trials ended
  */
 public record Evaluation(double[] objectives, double[] otherScores, int[] moduleUsage, Outcomes outcomes) {
 
@@ -51,8 +53,9 @@ public record Evaluation(double[] objectives, double[] otherScores, int[] module
     }
 
     /**
-     * Counts of how the trials of an evaluation ended, and of simulated steps. An episodic task counts one of the first
-     * three per episode; others may leave them 0.
+     * Counts of how the episodes of an evaluation ended, and of simulated steps. An episode is a simulation from a
+     * start to an end, such as one game; a trial has one or more. A task with episodes adds 1 to one of the first three
+     * counts for each episode. Other tasks may leave them 0.
      *
      * @param succeeded episodes with everything done (all levels beaten)
      * @param timedOut episodes ended by a time limit

@@ -1,8 +1,9 @@
 package mmneat.evolution;
 
 /**
- * Receives the events of an evolution, for logs, progress and checkpoints. The evolving thread calls it; an exception
- * that it throws ends the evolution.
+ * A receiver of the events of an evolution, for logs, progress and checkpoints: an individual was evaluated, a
+ * generation is complete, the evolution is complete. Override the methods of the events that matter. The evolving
+ * thread calls them; an exception that one throws ends the evolution.
  */
 public interface EvolutionObserver {
 

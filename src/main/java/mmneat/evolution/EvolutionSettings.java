@@ -24,8 +24,9 @@ import mmneat.nsga2.Selection;
  * @param initialNetworks the networks that evolution starts from
  * @param parentSelection how parents are chosen, and how survivors' crowding is measured
  * @param variation how offspring differ from their parents
- * @param tug the policy that leaves objectives out of selection, if there is one ({@code ea})
- * @param ownSelection selection of parents and survivors of the caller's own instead of NSGA-II's; usually none
+ * @param tug the policy that leaves objectives out of selection, if there is one (the parameter {@code ea} of the
+ *     command line switches it on)
+ * @param ownSelection a selection of parents and survivors of your own that replaces NSGA-II's; usually none
  */
 public record EvolutionSettings(
         long seed,

@@ -7,7 +7,8 @@ import mmneat.random.ResumableRandom;
 
 /**
  * The domain for which networks are evolved: it evaluates genotypes. Implement this interface for your own domain, or
- * call {@link #of} with an evaluation function.
+ * call {@link #of} with an evaluation function. An implementation needs four methods: {@link #objectiveNames}, {@link
+ * #inputLabels}, {@link #policyNeuronsPerModule} and {@link #evaluate}. The others have defaults.
  *
  * <p>An instance is used by one thread at a time. All methods except {@link #evaluate} always return the same values.
  * An evaluation depends only on the genotype and the generator, so that a run can be repeated and resumed.
@@ -20,7 +21,7 @@ public interface Task {
      * Creates a task from an evaluation function.
      *
      * @param objectives names of the objectives, all maximised
-     * @param inputs what each input of a network means
+     * @param inputs labels of the inputs of a network, which also determine their number
      * @param policyNeuronsPerModule number of policy neurons in each output module of a network
      * @param evaluation as {@link #evaluate}
      */
@@ -71,15 +72,18 @@ public interface Task {
     }
 
     /**
-     * Returns the score that learning curves and champions use; larger is better. The default is the first objective.
+     * Returns the score by which reports describe an individual: learning curves, and the score of a champion. Larger
+     * is better. The default is the first objective.
      */
     default double championScore(Evaluation evaluation) {
         return evaluation.objectives()[0];
     }
 
     /**
-     * Returns the number by which the champion of a generation is chosen: the last individual with the largest number.
-     * The default is {@link #championScore}; a task may compare more coarsely.
+     * Returns the number by which the champion of a generation is chosen: the last individual with the largest number
+     * is the champion. It is separate from {@link #championScore}, its default, because a task may compare more
+     * coarsely than it reports. The Ms.&nbsp;Pac-Man task does, as the original: it drops the fraction of the mean
+     * score, so that a later individual with a slightly lower mean can be the champion.
      */
     default double championRank(Evaluation evaluation) {
         return championScore(evaluation);

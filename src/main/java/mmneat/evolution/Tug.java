@@ -14,9 +14,23 @@ import mmneat.nsga2.SurvivorSelection;
  * Targeting unachieved goals (TUG): a policy that gives selection only the objectives whose goals the population has
  * not reached.
  *
- * <p>Every objective has a goal. An objective whose goal is reached is left out of selection until all goals are
- * reached; then all goals rise. The policy draws no random numbers and keeps no state: {@link #step} maps one {@link
- * TugState} to the next.
+ * <p>Every objective has a goal, a score that the population as a whole is to exceed. Once per generation the policy
+ * compares the goal of each objective with a recency-weighted average of the population's performance, and with the
+ * present performance. If both exceed the goal, the goal is reached.
+ *
+ * <ul>
+ *   <li>An objective whose goal is reached is not active: selection does not use it until the goal is missed again or
+ *   all
+ *       goals are reached.
+ *   <li>When all goals are reached, all goals rise, all objectives are active again, and the averages restart.
+ *   <li>When some goals have been missed for too long ({@link TugSettings.Window#advancement}), the reached goals rise
+ *       without the others.
+ *   <li>While some goals are missed, the goals of the active objectives are multiplied by {@link
+ *       TugSettings#remainingRatio} in each generation. The ratio is 1 by default; with a ratio below 1 goals that are
+ *       too high drop until they can be reached.
+ * </ul>
+ *
+ * <p>The policy draws no random numbers and keeps no state: {@link #step} maps one {@link TugState} to the next.
  *
  * <p>Source: J. Schrum, R. Miikkulainen: Evolving agent behavior in multiobjective domains using fitness-based shaping
  * (GECCO 2010); docs/specification/original-options.md, section 4.
@@ -25,6 +39,7 @@ public final class Tug {
 
     private final TugSettings settings;
 
+    /** Creates the policy. */
     public Tug(TugSettings settings) {
         this.settings = settings;
     }

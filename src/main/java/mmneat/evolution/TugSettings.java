@@ -9,19 +9,22 @@ import java.util.Set;
 import java.util.stream.DoubleStream;
 
 /**
- * The settings of targeting unachieved goals ({@link Tug}). The names in brackets are the parameters.
+ * The settings of targeting unachieved goals ({@link Tug}). The names in brackets are the parameters of the command
+ * line.
  *
  * <p>Source: docs/specification/original-options.md, section 4.1.
  *
- * @param startingGoals by objective: the value at which averages start and restart, which is the objective's minimum
- *     score
+ * @param startingGoals by objective: the value at which the recency-weighted average of the performance starts in a new
+ *     run and restarts when the goal rises. It is the objective's minimum score; the original also uses it as the first
+ *     goal
  * @param initialGoals by objective: the goals of a new run ({@code setInitialTUGGoals}, {@code initialTUGGoal0}, ...)
  * @param statistics how the population's scores are summarised
  * @param increase how goals rise
  * @param options the enabled options
  * @param thrashingRatio factor by which a goal rises that was reached and lost, with {@link Option#RISE_WHEN_THRASHING}
  *     ({@code increasingTUGGoalRatio})
- * @param remainingRatio factor of the goals of active objectives in each generation ({@code remainingTUGGoalRatio})
+ * @param remainingRatio factor by which the goals of active objectives are multiplied in each generation in which not
+ *     all goals are reached ({@code remainingTUGGoalRatio}). 1 leaves them as they are; below 1, positive goals drop
  * @param window the generations in which TUG is used
  */
 public record TugSettings(
@@ -34,13 +37,16 @@ public record TugSettings(
         double remainingRatio,
         Window window) {
 
-    /** The optional rules. */
+    /** The optional rules of the policy; all are off in the original's experiments with TUG. */
     public enum Option {
         /** A goal that was reached and lost rises ({@code tugGoalsIncreaseWhenThrashing}). */
         RISE_WHEN_THRASHING,
         /** Goals stop dropping once all of them have been reached ({@code stopTUGGoalDropAfterAchievement}). */
         STOP_DROPPING_AFTER_SUCCESS,
-        /** Averages restart at the old goals instead of the starting goals ({@code tugResetsToPreviousGoals}). */
+        /**
+         * When a goal rises, its average restarts at the goal before it rises instead of the starting goal ({@code
+         * tugResetsToPreviousGoals}).
+         */
         RESTART_AT_PREVIOUS_GOALS,
         /** The first front over all objectives survives ({@code tugKeepsParetoFront}). */
         KEEP_PARETO_FRONT
@@ -49,8 +55,10 @@ public record TugSettings(
     /**
      * The statistics that summarise the population's scores.
      *
-     * @param performance the performance of the population ({@code tugPerformanceStat})
-     * @param target the score towards which goals move ({@code tugGoalTargetStat})
+     * @param performance the statistic that makes the performance of the population, for example the average ({@code
+     *     tugPerformanceStat})
+     * @param target the statistic that makes the target, the score towards which goals move with {@link
+     *     Increase.TowardsTarget}, for example the maximum ({@code tugGoalTargetStat})
      * @param recency the step of the recency-weighted averages ({@code tugAlpha})
      */
     public record Statistics(ScoreStatistic performance, ScoreStatistic target, double recency) {}
@@ -79,10 +87,12 @@ public record TugSettings(
         }
 
         /**
-         * Towards the target.
+         * By a share of the distance to the target. The target of an objective is a statistic of the parents' scores in
+         * the present generation, such as their maximum ({@link Statistics#target}). A goal rises by momentum * its
+         * previous rise + rate * (target - goal).
          *
-         * @param rate step of the goals ({@code tugEta})
-         * @param momentum share of the previous step ({@code tugMomentum})
+         * @param rate share of the distance ({@code tugEta})
+         * @param momentum share of the previous rise ({@code tugMomentum})
          */
         record TowardsTarget(double rate, double momentum) implements Increase {}
     }
@@ -92,7 +102,8 @@ public record TugSettings(
      *
      * @param first the first in which selection uses TUG ({@code startTUGGeneration})
      * @param last the last ({@code endTUGGeneration})
-     * @param advancement generations after which reached goals rise alone ({@code tugAdvancementTimeLimit})
+     * @param advancement number of generations since goals last rose, after which the reached goals rise although other
+     *     goals are still missed ({@code tugAdvancementTimeLimit})
      */
     public record Window(int first, int last, int advancement) {
         boolean contains(int generation) {

@@ -10,7 +10,8 @@ import java.util.Objects;
  *
  * @param goals by objective
  * @param lastIncrease L: the generation in which goals rose last, 0 at the start
- * @param dropPossible whether goals may still drop
+ * @param dropPossible whether goals are still multiplied by {@link TugSettings#remainingRatio}. It is true at the start
+ *     and, with {@link TugSettings.Option#STOP_DROPPING_AFTER_SUCCESS}, false after all goals were reached once
  */
 public record TugState(List<ObjectiveGoal> goals, int lastIncrease, boolean dropPossible) {
 

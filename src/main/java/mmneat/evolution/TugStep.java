@@ -5,7 +5,7 @@ package mmneat.evolution;
  *
  * @param after the state with which children are made and survivors chosen
  * @param performance p: the population's performance in each objective
- * @param targets t: the score towards which each goal moves
+ * @param targets t: the target of each objective ({@link TugSettings.Statistics#target})
  */
 public record TugStep(TugState after, double[] performance, double[] targets) {
 

@@ -92,7 +92,7 @@ public final class DirectionEvaluator {
      * @param game read, not changed
      * @param random generator; a decision draws one number per open direction (choice of the module) and two to break
      *     ties between directions
-     * @return 0 to 3, or {@link #END_GAME} if a limit of the level or its time is reached
+     * @return 0 to 3, or {@link #END_GAME} if the last level is finished or the time limit of the level is reached
      */
     public int decide(Game game, ResumableRandom random) {
         if (game.getCurrentLevel() >= game.rules().levels().maximumLevel()) {
@@ -176,7 +176,7 @@ public final class DirectionEvaluator {
         return Argmax.of(preferences, random);
     }
 
-    /** How modules were used since the game started; changes with further steps. */
+    /** Counts of module use since the game started; the object changes with further steps. */
     public ModuleUse moduleUse() {
         return use;
     }
@@ -189,7 +189,11 @@ public final class DirectionEvaluator {
         return states.get(DIRECTIONS - 1).moduleUsage();
     }
 
-    /** Preference for a direction in the last decision; -1 for walls. */
+    /**
+     * Value of a direction in the last decision: the activation of the policy neuron of the module that the direction's
+     * network chose; -1 if a wall is there. The direction with the largest value is taken. It has nothing to do with
+     * the preference neuron, which chooses the module.
+     */
     public double preference(int direction) {
         return wasOpen(direction) ? states.get(direction).policyOutput(0) : WALL;
     }

@@ -3,8 +3,10 @@ package mmneat.mspacman;
 import pacman.game.Game;
 
 /**
- * Receives the events of an evaluation in order, for reports, recordings and pictures. Games and counts that are passed
- * are live objects: read them only during the call and do not change them.
+ * A receiver of the events of an evaluation, for reports, recordings and pictures. The order of events is: start of a
+ * trial; for each game of the trial its start, its steps and finished levels, and its end; end of the trial. Override
+ * the methods of the events that matter. Games and players that are passed are live objects: read them only during the
+ * call and do not change them.
  */
 public interface EvaluationObserver {
 

@@ -3,22 +3,27 @@ package mmneat.mspacman;
 import java.util.Arrays;
 
 /**
- * Counts of how often output modules were used, by observation.
+ * Counts of how often output modules were used in a game, in all time steps and in those of a certain situation: a
+ * ghost is edible or none is, Ms.&nbsp;Pac-Man is at a junction or anywhere.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 9; the paper's figures of module use count the module of the
  * chosen direction.
  */
 public final class ModuleUse {
 
-    /** The observations for which module use is counted. */
+    /** The set of time steps over which module use is summed. */
     public enum When {
+        /** All time steps. */
         ALL,
+        /** Time steps in which Ms.&nbsp;Pac-Man is at a junction. */
         AT_JUNCTION,
-        /** At least one ghost is edible. */
+        /** Time steps in which at least one ghost is edible. */
         EDIBLE,
-        /** No ghost is edible. */
+        /** Time steps in which no ghost is edible. */
         THREAT,
+        /** Time steps at a junction in which at least one ghost is edible. */
         EDIBLE_AT_JUNCTION,
+        /** Time steps at a junction in which no ghost is edible. */
         THREAT_AT_JUNCTION
     }
 

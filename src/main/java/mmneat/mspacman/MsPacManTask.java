@@ -95,8 +95,8 @@ public final class MsPacManTask implements Task {
     }
 
     /**
-     * {@inheritDoc} Here it is the mean game score without its fraction: the quirk of docs/specification/evolution.md,
-     * section 5.5.
+     * {@inheritDoc} Here it is the mean game score without its fraction, a quirk of the original: champions are chosen
+     * by whole points, but reported with {@link #championScore}. Source: docs/specification/evolution.md, section 5.5.
      */
     @Override
     public double championRank(Evaluation evaluation) {

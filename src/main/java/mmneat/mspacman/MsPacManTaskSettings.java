@@ -21,7 +21,8 @@ import pacman.game.GhostLocations;
  *
  * @param version which games make a trial
  * @param trials trials per evaluation, at least 1
- * @param rules rules of a full game; the games of the isolated version are derived from them
+ * @param rules rules of a full game, with pills, power pills and ghosts. {@link TrialGame#of} derives the separate
+ *     games of the isolated version from them
  * @param sensors the sensors, which are the networks' inputs
  * @param division selects the module of each step for multitask networks; null for others
  * @param arbitration how networks choose among their modules
@@ -110,7 +111,11 @@ public record MsPacManTaskSettings(
                 version, number, rules, sensors, division, arbitration, ghosts, deterministic, objectives);
     }
 
-    /** Returns these settings for single games, each of which depends only on its generator. */
+    /**
+     * Returns these settings with one trial per evaluation, whose seed comes from the generator that {@link
+     * MsPacManTask#evaluate} receives. Champions are evaluated and shown in this way: the seed of each game determines
+     * the game, also if the evolution was deterministic.
+     */
     public MsPacManTaskSettings forSingleGames() {
         return new MsPacManTaskSettings(version, 1, rules, sensors, division, arbitration, ghosts, false, objectives);
     }

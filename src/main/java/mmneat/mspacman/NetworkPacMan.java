@@ -47,8 +47,9 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
     }
 
     /**
-     * Creates a player with the sensors and the module choice of a task. In the isolated version a division
-     * distinguishes kinds of games; full games are then divided as in {@link #published}.
+     * Creates a player of full games with the sensors and the module choice of a task. In the isolated version the
+     * division of the task tells the pill game from the ghost games, which a full game does not have. A network of that
+     * version gets the division that {@link #published} would choose.
      *
      * @param division selects the module of each step for a multitask network; if null, the division of the task
      * @throws IllegalArgumentException if the network does not fit the task or the division

@@ -5,7 +5,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The three versions of the task that the paper compares; its section 3 defines them for any domain. */
+/**
+ * The three versions of the task that the paper compares: the two parts of the game, to eat pills among threats and to
+ * eat edible ghosts, happen at the same time, in turn, or in separate games. Section 3 of the paper defines the
+ * versions for any domain.
+ */
 public enum TaskVersion {
     /** Threats and edible ghosts at the same time: one full game per trial. */
     BLENDED,

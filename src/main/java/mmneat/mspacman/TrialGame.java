@@ -14,7 +14,9 @@ import pacman.game.GameSwitch;
  *
  * @param name short name for reports and recordings; empty if a trial is a single game
  * @param rules of the game
- * @param countsGhosts whether the game counts for the first objective
+ * @param countsGhosts whether the game counts for the ghost reward, the first of the two published objectives ({@link
+ *     mmneat.mspacman.objectives.GameScore#GHOST_REWARD}): false in the pill game of the isolated version. All other
+ *     scores count in every game
  */
 public record TrialGame(String name, GameRules rules, boolean countsGhosts) {
 

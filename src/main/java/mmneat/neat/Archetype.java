@@ -15,11 +15,14 @@ import java.util.TreeMap;
 
 /**
  * The population-wide list of neurons that fixes their order: the node list of every genotype is a subsequence of it.
- * The exception is full module mutation, which puts new modules before old ones.
+ * Crossover and the splice of neurons rely on this order. There is one exception: outputs that full module mutation
+ * added (a module linked to all inputs) are numbered in another way. In a genotype they can stand before outputs that
+ * stand before them here.
  *
- * <p>It also holds shadow entries, which match no neuron of any network. The original adds them for a crossover that
- * combines two networks of one module each; the published experiments never perform it. The shadows are kept because
- * they use up innovation numbers and are counted in the logs.
+ * <p>The list also has shadow entries, which match no neuron of any network. The original prepares with them a
+ * crossover that combines two networks of one module each, in which the neurons of the second network need entries of
+ * their own. No experiment performs that crossover. The shadows are kept because they use up innovation numbers and are
+ * counted in the logs.
  *
  * <p>Source: docs/specification/networks.md, sections 4.2 and 4.3; docs/specification/evolution.md, section 3.3.
  */
@@ -75,8 +78,13 @@ public final class Archetype {
     }
 
     /**
-     * Inserts a neuron that was spliced into a link, by the same rule as in its network.
+     * Inserts a neuron that was spliced into a link. The rule is the same as in the network of the neuron: directly
+     * behind the source of the link; if the source is an input, directly behind all inputs; if it is an output, before
+     * all outputs.
      *
+     * @param neuron the new hidden neuron
+     * @param linkSource innovation of the neuron from which the link came
+     * @param inputs number of input neurons
      * @return the position of the new entry
      */
     public int insertSpliced(NodeGene neuron, long linkSource, int inputs) {
@@ -86,13 +94,23 @@ public final class Archetype {
         return position;
     }
 
-    /** Whether a neuron just inserted at this position needs a shadow, given that its network has one module. */
+    /**
+     * Whether a neuron that was just inserted at a position gets a shadow, if its network has one module. The rule of
+     * the original: the entry before it is an input, or has a shadow itself, which then tells the place of the new
+     * shadow.
+     */
     public boolean needsShadow(int position) {
         NodeGene previous = entries.get(position - 1);
         return previous.type() == NodeType.INPUT || shadows.containsKey(previous.innovation());
     }
 
-    /** Adds the shadow of the neuron at a position: behind the previous neuron's shadow, or before all of them. */
+    /**
+     * Adds the shadow of the neuron at a position. It comes directly behind the shadow of the entry before that neuron.
+     * If the entry before it is an input, which has no shadow, it comes before all other shadows.
+     *
+     * @param position position of a neuron for which {@link #needsShadow} is true
+     * @param shadowInnovation innovation number of the shadow
+     */
     public void insertShadow(int position, long shadowInnovation) {
         NodeGene neuron = entries.get(position);
         NodeGene previous = entries.get(position - 1);

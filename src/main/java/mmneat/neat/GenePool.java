@@ -35,7 +35,8 @@ public final class GenePool {
 
     /**
      * Creates the pool of a new population whose networks all have the neurons of an example. As in the original, the
-     * archetype is a copy of the example and takes a genotype id.
+     * archetype begins as a copy of the example, and the copy uses up one genotype id: the first individual gets the id
+     * after the next.
      */
     public static GenePool foundedOn(Genotype example) {
         long firstFree = 0;

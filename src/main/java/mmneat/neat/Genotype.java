@@ -37,8 +37,9 @@ public final class Genotype {
      * @param layout division of the outputs into modules
      * @param nodes node genes in activation order: inputs, hidden, outputs; no shadow entries of an archetype
      * @param links link genes; no two with the same innovation or the same end points, none into an input
-     * @param moduleUsage how often each module was chosen in the last evaluation; its length is the number of modules
-     *     at that time
+     * @param moduleUsage how often each module was chosen in the last evaluation. An offspring has the counts of its
+     *     parent until it is evaluated, so a module that mutation added has no count yet and the array is shorter than
+     *     the number of modules
      * @throws IllegalArgumentException if the genes do not form a network; the message says where
      * @throws NullPointerException if a part is missing; the message names it
      */
@@ -98,7 +99,7 @@ public final class Genotype {
         return nodes.size() - inputs - layout.outputs();
     }
 
-    /** Number of output neurons, preference neurons included. */
+    /** Number of output neurons: policy neurons and, if there are any, preference neurons ({@link ModuleLayout}). */
     public int outputs() {
         return layout.outputs();
     }

@@ -128,10 +128,12 @@ public final class GenotypeDraft {
         return links;
     }
 
+    /** Counts of how often each module was chosen; the array itself, not a copy. */
     public int[] moduleUsage() {
         return moduleUsage;
     }
 
+    /** Replaces the counts of how often each module was chosen. */
     public void setModuleUsage(int[] usage) {
         moduleUsage = usage;
     }
@@ -166,9 +168,10 @@ public final class GenotypeDraft {
     }
 
     /**
-     * Returns the innovation for the next output neuron, which follows from its position. If another output of this
-     * network already has that innovation, it is a new one. This happens after full module mutation together with
-     * module deletion or excess crossover.
+     * Returns the innovation for the next output neuron. It follows from the position of the neuron. If another output
+     * of this network already has that innovation, a new one is taken from the pool instead. This happens if full
+     * module mutation (a module linked to all inputs) was combined with module deletion or with excess crossover
+     * (children that get all genes of both parents).
      */
     public long nextOutputInnovation(GenePool pool) {
         long byPosition = outputInnovation(inputs, outputs);
@@ -192,7 +195,10 @@ public final class GenotypeDraft {
         pool.archetype().addOutput(output);
     }
 
-    /** Counts a module whose outputs have been appended, in a network without groups. */
+    /**
+     * Increases the number of modules by one, in a network without groups. Call it after the module's outputs have been
+     * appended by {@link #appendOutput}.
+     */
     public void addModule() {
         modules++;
     }
@@ -203,8 +209,8 @@ public final class GenotypeDraft {
     }
 
     /**
-     * Counts a module whose outputs have been appended, in a group; in a network without groups the number has no
-     * effect.
+     * Increases the number of modules by one and puts the new module into a group. Call it after the module's outputs
+     * have been appended by {@link #appendOutput}. In a network without groups the group has no effect.
      */
     public void addModuleTo(int group) {
         if (!groups.isEmpty()) {

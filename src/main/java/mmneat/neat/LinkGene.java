@@ -7,7 +7,8 @@ package mmneat.neat;
  * @param source innovation of the neuron that the link comes from
  * @param target innovation of the neuron that the link leads to, never an input
  * @param weight any double, unbounded
- * @param active whether the link exists in the network; a spliced link is inactive until its genotype is copied
+ * @param active whether the link exists in the network. Splicing a neuron into a link makes the link inactive; the next
+ *     copy of the genotype leaves inactive links out ({@link GenotypeDraft#copyOf})
  * @param recurrent whether the target was at or before the source in node order when the link was made; information
  *     only
  * @param frozen whether weight mutation and splicing skip this link

@@ -10,14 +10,19 @@ import java.util.List;
  * <p>Outputs are numbered from 0 in node order. Module m owns {@link #neuronsPerModule()} consecutive outputs: its
  * policy neurons and then, if there are preference neurons, its preference neuron.
  *
+ * <p>Policy neurons form the output of the network, one value each. The activation of a preference neuron says how much
+ * its module should be chosen; the module with the highest one answers. {@link mmneat.neat} names the methods of the
+ * paper (1M, 2M, MMD, MT and others).
+ *
  * <p>Source: docs/specification/networks.md, sections 3.1 and 3.2.
  *
  * @param outputs number of output neurons, preference neurons included
  * @param modules number of output modules
  * @param policyNeuronsPerModule number of neurons of a module that form the network's output
  * @param standardMultitask whether the task selects the module, so that there are no preference neurons
- * @param groups hybrids: the group of each module, where the task names the group and preference neurons choose among
- *     its modules; each group from 0 to the highest has a module. Empty for all other networks
+ * @param groups the group of each module in a hybrid network; empty for all other networks. In each step the task names
+ *     a group by its number ({@code NetworkState.presetModule}), and preference neurons choose among its modules. Each
+ *     group from 0 to the highest has a module
  */
 public record ModuleLayout(
         int outputs, int modules, int policyNeuronsPerModule, boolean standardMultitask, List<Integer> groups) {
@@ -81,7 +86,8 @@ public record ModuleLayout(
     }
 
     /**
-     * Modules chosen by preference neurons: methods 2M, 3M and, with one module at the start, MMD.
+     * Modules chosen by preference neurons: methods 2M (two modules), 3M (three) and, with one module at the start,
+     * MMD.
      *
      * @throws IllegalArgumentException if there is no module or no policy neuron
      */
@@ -99,7 +105,8 @@ public record ModuleLayout(
     }
 
     /**
-     * Groups of modules: the task chooses the group, preference neurons choose within it: hybrid methods.
+     * Groups of modules: the task chooses the group, and preference neurons choose a module of the group. Methods of
+     * this kind are called hybrids.
      *
      * @param sizes number of modules of each group
      * @throws IllegalArgumentException if there is no group, an empty one, or no policy neuron
@@ -129,7 +136,7 @@ public record ModuleLayout(
                 .toList();
     }
 
-    /** How many modules or groups the task chooses among; 1 if it names none. */
+    /** Number of modules or groups among which the task chooses; 1 if it does not choose. */
     public int choicesOfTask() {
         if (isGrouped()) {
             return groups.stream().mapToInt(group -> group).max().orElseThrow() + 1;
@@ -138,7 +145,8 @@ public record ModuleLayout(
     }
 
     /**
-     * What the task has to name for a module to be used: its group, or itself in a multitask network.
+     * Returns the number that the task must choose so that a module can answer: the number of the module's group in a
+     * hybrid, the number of the module in a multitask network.
      *
      * @throws IllegalArgumentException if there is no such module, or the task names none
      */

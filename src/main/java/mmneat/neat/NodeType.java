@@ -2,8 +2,11 @@ package mmneat.neat;
 
 /** The kind of a neuron: input, hidden or output. */
 public enum NodeType {
+    /** Gets a value from outside; no link leads into it. */
     INPUT,
+    /** Made by splicing a neuron into a link. */
     HIDDEN,
+    /** A policy neuron or preference neuron of an output module. */
     OUTPUT;
 
     /** The original's code: 0 input, 1 hidden, 2 output. */

@@ -3,7 +3,10 @@ package mmneat.nsga2;
 import java.util.Arrays;
 import java.util.List;
 
-/** The set of individuals among which the crowding distance is measured. */
+/**
+ * The set of individuals among which the crowding distance is measured: the whole population as in MM-NEAT, or each
+ * front as in the published NSGA-II.
+ */
 public enum Crowding {
 
     /**

@@ -17,8 +17,8 @@ public final class Hypervolume {
     private Hypervolume() {}
 
     /**
-     * Measure of the union of the boxes from {@code reference} to each point. A point below the reference in some
-     * objective dominates nothing of it.
+     * Measure of the union of the boxes from {@code reference} to each point. A point that is not above the reference
+     * in every objective adds nothing to the volume.
      *
      * @param scores {@code scores[individual][objective]}, all maximised
      * @param reference the reference point: one score per objective

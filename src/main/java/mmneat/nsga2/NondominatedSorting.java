@@ -78,7 +78,9 @@ public final class NondominatedSorting {
     }
 
     /**
-     * The individual at a position of the order that the computation of the crowding distance leaves behind.
+     * The individual at a position of the order in which the crowding distance sorted the population last. Tournaments
+     * draw positions of this order. It decides which individual a random number selects, so a run can only equal one of
+     * the original with this order.
      *
      * @throws IndexOutOfBoundsException if there is no such position
      */

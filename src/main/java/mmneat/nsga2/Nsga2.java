@@ -25,7 +25,8 @@ public final class Nsga2 {
      *
      * @param population the first parents, at least one
      * @param scores the scores of an individual, all maximised and finite
-     * @param variation makes children; crossover, if it has any, in half of all cases
+     * @param variation makes children: {@link Variation#fromTwo} with probability 0.5, which makes about two thirds of
+     *     all children, else {@link Variation#fromOne}. A variation without crossover keeps the default {@code fromTwo}
      * @param generations number of generations in which children are made
      * @return the last parents, as many as the first
      * @throws IllegalArgumentException if there are no parents or the scores cannot be compared

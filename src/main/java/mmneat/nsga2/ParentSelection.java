@@ -38,11 +38,14 @@ public record ParentSelection(boolean isCrossing, double crossoverRate, Crowding
      *
      * @param parents the parents, at least one if children are wanted
      * @param scores {@code scores[parent][objective]}
-     * @param isFirstGeneration whether this is generation 0, whose tournaments differ
+     * @param isFirstGeneration whether this is generation 0. With {@link Crowding#WHOLE_POPULATION}, its tournaments
+     *     are those of the original: only dominance counts, and the second contestant wins ties
+     * @param count number of children
+     * @param variation makes the children
      * @throws IllegalArgumentException if there are not as many scores as parents, no parents although children are
      *     wanted, or scores that cannot be compared ({@link NondominatedSorting#of})
-     * @throws IllegalStateException if {@code variation} gives no children of two parents, or more than there is room
-     *     for
+     * @throws IllegalStateException if {@link Variation#fromTwo} returns no child, or more children than are still to
+     *     be made (its argument {@code room})
      */
     public <P, C> List<C> children(
             List<P> parents,
@@ -59,8 +62,8 @@ public record ParentSelection(boolean isCrossing, double crossoverRate, Crowding
      * Makes {@code count} children of parents that are chosen in another way.
      *
      * @param choice gives the index of a parent, once for each parent that is needed
-     * @throws IllegalStateException if {@code variation} gives no children of two parents, or more than there is room
-     *     for, or {@code choice} names no parent
+     * @throws IllegalStateException if {@link Variation#fromTwo} returns no child, or more children than are still to
+     *     be made, or {@code choice} returns an index without a parent
      */
     public <P, C> List<C> children(
             List<P> parents,

@@ -4,7 +4,8 @@ import java.util.List;
 import mmneat.random.ResumableRandom;
 
 /**
- * Makes children from parents, by mutation and crossover. {@link ParentSelection} chooses the parents.
+ * An operator that makes children from parents, by mutation and crossover. {@link ParentSelection} chooses the parents
+ * and calls it. Implement {@link #fromOne}, a lambda for example; override {@link #fromTwo} to add crossover.
  *
  * @param <P> a parent
  * @param <C> a child, which may carry information on how it was made
@@ -19,8 +20,8 @@ public interface Variation<P, C> {
      * Makes children from two parents, which may be the same. The default implementation performs no crossover: it
      * calls {@link #fromOne} for each parent that there is room for.
      *
-     * @param room the largest number of children to return, at least 1
-     * @return at least one child, at most {@code room}; the original makes two if there is room
+     * @param room number of children that the generation still lacks, at least 1: no more may be returned
+     * @return at least one child, at most {@code room}; the original makes two if {@code room} allows it
      */
     default List<C> fromTwo(P parent, P mate, int room, ResumableRandom random) {
         C first = fromOne(parent, random);

@@ -3,7 +3,8 @@ package mmneat.random;
 import java.util.Arrays;
 
 /**
- * The argmax with random ties that chooses modules and directions.
+ * The index of the largest of some values; of several largest values one is drawn at random. Networks choose the output
+ * module with the highest preference in this way, and players the direction of movement with the highest output.
  *
  * <p>Source: docs/specification/networks.md, section 2.
  */

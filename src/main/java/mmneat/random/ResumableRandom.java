@@ -75,7 +75,10 @@ public final class ResumableRandom extends Random {
         cachedGaussian = state.cachedGaussian();
     }
 
-    /** The 48 state bits, as {@code java.util.Random} keeps them (scrambled). */
+    /**
+     * The 48 bits of the linear congruential generator, the same number as {@link State#bits}. {@code java.util.Random}
+     * keeps the same bits: they are the seed exclusive-or 0x5DEECE66D before the first draw.
+     */
     public long bits() {
         return bits;
     }

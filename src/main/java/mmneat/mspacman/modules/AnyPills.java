@@ -4,7 +4,8 @@ import java.util.List;
 import mmneat.mspacman.sensors.Observation;
 
 /**
- * The division of MT (isolated): module 0 if a pill or power pill is left (the pill game), else 1 (the ghost games).
+ * The division of the multitask method MT in the isolated version: module 0 if a pill or power pill is left (the pill
+ * game), else 1 (the ghost games).
  */
 public record AnyPills() implements ModuleDivision {
 

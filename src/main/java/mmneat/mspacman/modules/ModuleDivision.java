@@ -3,16 +3,19 @@ package mmneat.mspacman.modules;
 import mmneat.mspacman.sensors.Observation;
 
 /**
- * A human-specified division of the task, which selects the output module of a multitask network in each time step.
+ * A human-specified division of the task, which selects the output module of a multitask network, or the group of
+ * modules of a hybrid, in each time step.
  *
- * <p>A division of the user's own is a class with a public constructor without arguments, named in {@code
- * pacmanMultitaskScheme}. It keeps no state: one object serves all threads of a run.
+ * <p>A division of your own is a class that implements {@link #modules} and {@link #module} and has a public
+ * constructor without arguments. The parameter {@code pacmanMultitaskScheme} of the command line names it with its
+ * package; a program that uses the library passes an object to {@code MsPacManTaskSettings.withDivision}. It keeps no
+ * state: one object serves all threads of a run.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 6.
  */
 public interface ModuleDivision {
 
-    /** Number of modules, at least 2. */
+    /** Number of modules (in a hybrid, groups) among which the division selects, at least 2. */
     int modules();
 
     /**

@@ -5,7 +5,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Finds divisions by the names in the parameter {@code pacmanMultitaskScheme}. */
+/**
+ * The divisions by their names in the parameter {@code pacmanMultitaskScheme} of the command line. {@link #named} finds
+ * every division, {@link #find} only those that the original has.
+ */
 public final class ModuleDivisions {
 
     /** The original's class names, without package and without "ModeSelector". */
@@ -26,8 +29,8 @@ public final class ModuleDivisions {
     }
 
     /**
-     * Returns the division with a name: the original's class name, with or without its package, or the name of a user's
-     * class on the class path.
+     * Returns the division with a name: a class name of the original, with or without its package, or the full name of
+     * a class of your own on the class path.
      *
      * @throws IllegalArgumentException if there is none; the message lists the known names
      */
@@ -35,7 +38,12 @@ public final class ModuleDivisions {
         return find(name).orElseGet(() -> load(name));
     }
 
-    /** The division with the original's class name, with or without its package; empty if the original has none. */
+    /**
+     * Returns the division of the original with a class name, with or without its package. Use it where classes of the
+     * user's own must not be loaded; {@link #named} loads them too.
+     *
+     * @return empty if the original has no division of this name
+     */
     public static Optional<ModuleDivision> find(String name) {
         String simple = name.substring(name.lastIndexOf('.') + 1);
         return Optional.ofNullable(KNOWN.get(

@@ -4,8 +4,8 @@ import java.util.List;
 import mmneat.mspacman.sensors.Observation;
 
 /**
- * The division of MT3 (blended): module 1 if all ghosts are threats or in the lair (also if all are in the lair), 0 if
- * all are edible or in the lair, 2 if there are both.
+ * The division of MT3, the multitask method with three modules (blended version): module 1 if all ghosts are threats or
+ * in the lair (also if all are in the lair), 0 if all are edible or in the lair, 2 if there are both.
  */
 public record ThreatEdibleOrBoth() implements ModuleDivision {
 

@@ -11,7 +11,8 @@ import mmneat.evolution.ScoreStatistic;
  * @param name the objective's name in files and tables
  * @param score what a game counts
  * @param statistic how trials become one number
- * @param worst the worst score possible in an evaluation
+ * @param worst the worst score possible in an evaluation: a component of the reference point from which hypervolumes
+ *     are measured, and the starting goal of {@link mmneat.evolution.Tug}
  */
 public record GameObjective(String name, GameScore score, ScoreStatistic statistic, double worst) {
 
@@ -23,7 +24,7 @@ public record GameObjective(String name, GameScore score, ScoreStatistic statist
         return new GameObjective(score.name(), score, AVERAGE, 0);
     }
 
-    /** An objective of the user's own. */
+    /** An objective of your own: the average over trials of the score that it computes. */
     public static GameObjective of(Objective own) {
         return new GameObjective(own.name(), new GameScore(own.name(), own::score), AVERAGE, own.worst());
     }

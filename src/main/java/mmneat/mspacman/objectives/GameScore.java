@@ -48,7 +48,10 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
     /** Missed chances to eat ghosts, negative. */
     public static final GameScore GHOST_REGRET = new GameScore("GhostRegretScore", game -> -game.getGhostRegret());
 
-    /** Closeness of the threats when power pills were eaten. */
+    /**
+     * Closeness of the threats when power pills were eaten, at least -12800; larger is better. It rewards waiting at a
+     * power pill until ghosts are near. {@link Game#getLureDistanceSum} has the formula.
+     */
     public static final GameScore LURING = new GameScore("LuringScore", Game::getLureDistanceSum);
 
     /** Power pills eaten while all ghosts were threats outside the lair. */
@@ -59,7 +62,10 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
     public static final GameScore IMPROPERLY_EATEN_POWER_PILLS =
             new GameScore("ImproperlyEatenPowerPillScore", game -> -(double) game.getImproperlyEatenPowerPills());
 
-    /** Properly eaten power pills with all ghosts far away, negative; minus zero if there are none. */
+    /**
+     * Minus the number of properly eaten power pills for which all ghosts were farther away than {@link
+     * pacman.game.PillRules#closeGhostDistance}; minus zero if there are none.
+     */
     public static final GameScore POWER_PILLS_EATEN_WHEN_GHOSTS_FAR =
             new GameScore("PowerPillEatenWhenGhostFarScore", game -> -(double) game.getPowerPillsEatenWhenGhostFar());
 
@@ -83,7 +89,10 @@ public record GameScore(String name, ToDoubleFunction<Game> ofGame) {
         });
     }
 
-    /** The value of a parameter, recorded because experiments may change it during a run. */
+    /**
+     * A constant that looks like a score: the value of a parameter of the run, such as the edible time. The original
+     * records two parameters among the scores, because its experiments may change them during a run.
+     */
     public static GameScore parameter(String name, double value) {
         return new GameScore(name, game -> value);
     }

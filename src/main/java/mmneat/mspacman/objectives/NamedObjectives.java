@@ -7,7 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import pacman.game.GameRules;
 
-/** The recorded scores under the names by which the parameter {@code objectives} chooses them. */
+/**
+ * The scores that can serve as objectives, by name. The parameter {@code objectives} of the command line chooses
+ * objectives by these names.
+ */
 public final class NamedObjectives {
 
     /** A short name for the first published objective. */
@@ -24,10 +27,10 @@ public final class NamedObjectives {
     private final Map<String, GameObjective> known = new LinkedHashMap<>();
 
     /**
-     * The scores of a trial.
+     * Collects the objectives for games by given rules. Rules and number of games determine the worst score of each.
      *
-     * @param rules of its games
-     * @param games how many games make a trial, whose scores are added up
+     * @param rules rules of the games of a trial
+     * @param games number of games of a trial, whose scores are added up
      */
     public NamedObjectives(GameRules rules, int games) {
         Map<String, Integer> seen = new HashMap<>();

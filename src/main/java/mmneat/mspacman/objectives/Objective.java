@@ -3,10 +3,13 @@ package mmneat.mspacman.objectives;
 import pacman.game.Game;
 
 /**
- * An objective of the user's own for the evolution of Ms. Pac-Man, named in {@code objectives=}.
+ * An objective of your own for the evolution of Ms. Pac-Man: a score of a finished game, larger is better. Implement
+ * {@link #score}; the other methods have defaults.
  *
  * <p>An implementation has a public constructor without arguments and keeps no state: one object serves all threads of
- * a run. The scores of a trial's games are added up, and the sums are averaged over the trials.
+ * a run. The parameter {@code objectives} of the command line names the class with its package, as in {@code
+ * objectives=my.Objective,PillScore}. The scores of a trial's games are added up, and the sums are averaged over the
+ * trials.
  */
 public interface Objective {
 

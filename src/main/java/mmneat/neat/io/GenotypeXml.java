@@ -15,11 +15,12 @@ import mmneat.neat.NodeType;
 /**
  * The original's XML form of genotypes and archetypes.
  *
- * <p>The original can read the files written here, except those with activation functions of the user's own. Files of
- * the original and of its later versions can be read here: from both packages under which it was published, with
- * modules called "mode" (until May 2016) or "module", and with complete or small genes. A feature of a later version
- * that our networks lack is refused by name. Untrusted files are safe to read: document types, entities and deep
- * nesting are refused.
+ * <p>The original, MM-NEAT, can read the files written here, except those with activation functions of the user's own.
+ * Files of the original and of its later versions can be read here: from both packages under which it was published,
+ * with modules called "mode" (until May 2016) or "module", and with complete or small genes. Small genes are a shorter
+ * form of later versions: their fields that have default values are left out (frozen and shadow of a node; active,
+ * recurrent and frozen of a link). A feature of a later version that these networks lack is refused by name. Untrusted
+ * files are safe to read: document types, entities and deep nesting are refused.
  *
  * <p>Source: docs/specification/networks.md, section 12; docs/genotype-format.md.
  */
@@ -109,7 +110,9 @@ public final class GenotypeXml {
     }
 
     /**
-     * Reads the entries of an archetype.
+     * Reads the entries of an archetype, shadows included, from the original's file {@code archetype0.xml}. An {@link
+     * mmneat.neat.Archetype.State} also needs the map of shadows, which the original saves in another file ({@link
+     * mmneat.neat.Archetype#shadows}); it is empty if that file is missing.
      *
      * @throws GenotypeFormatException if the text is not a list of node genes in XML; the message names the field
      */

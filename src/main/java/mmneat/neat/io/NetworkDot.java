@@ -12,7 +12,7 @@ public final class NetworkDot {
      * The DOT text of a network.
      *
      * @param labels names of its inputs and modules
-     * @throws IllegalArgumentException if the labels are for another network
+     * @throws IllegalArgumentException if the number of labels is not that of the network's inputs or modules
      */
     public static String of(Genotype genotype, NetworkLabels labels) {
         NetworkGraph graph = NetworkGraph.of(genotype, labels);

@@ -16,13 +16,19 @@ import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 
 /**
- * Crosses two networks gene by gene. Each of the two children has exactly the structure of one parent; genes that both
- * parents have are swapped with probability 1/2. Fitness plays no part.
- * In hybrids, genes of modules that stand at one place but are of different groups are not swapped.
+ * NEAT's crossover: crosses two networks gene by gene. Genes that both parents have are swapped with probability 1/2.
+ * Genes that only one parent has stay with the child of that parent, so that each child has exactly the structure of
+ * one parent. Fitness plays no part.
+ *
+ * <p>The exception is excess crossover, which the published experiments do not use: with probability {@code excessRate}
+ * both children get all genes of both parents, and then have the same structure.
+ *
+ * <p>In hybrids (modules in groups, {@link ModuleLayout#groups}), a module of one parent corresponds to the module of
+ * the other parent with the same number. If the two are in different groups, their genes are not swapped.
  *
  * <p>Source: docs/specification/networks.md, section 9.
  *
- * @param excessRate probability that both children get all genes, also those that only one parent has
+ * @param excessRate probability of excess crossover ({@code crossExcessRate}); 0 in the published experiments
  */
 record Crossover(double excessRate) implements CrossoverOperator {
 

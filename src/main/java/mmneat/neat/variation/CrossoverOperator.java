@@ -5,8 +5,7 @@ import mmneat.neat.GenotypeDraft;
 import mmneat.random.ResumableRandom;
 
 /**
- * A way of crossing two networks. An operator of the user's own takes the place of NEAT's ({@link
- * VariationSettings#withCrossover}).
+ * A way of crossing two networks. An operator of your own replaces NEAT's ({@link VariationSettings#withCrossover}).
  *
  * <p>An operator keeps no state, and every random decision comes from the generator that is passed in: then a run can
  * be repeated.

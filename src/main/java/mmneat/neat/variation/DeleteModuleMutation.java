@@ -17,9 +17,9 @@ import mmneat.random.ResumableRandom;
 /**
  * Removes a module, its outputs and their links from a network of several modules that has preference neurons.
  *
- * <p>The original fails here; this implementation works. Innovations of outputs follow from their positions, so later
- * modules move forward and take over innovations. The links of moved outputs get new numbers, because links with equal
- * numbers must have equal end points.
+ * <p>This mutation has no counterpart: the original ends with an error message when it should delete a module.
+ * Innovations of outputs follow from their positions, so the modules behind the deleted one move forward and take over
+ * innovations. The links of moved outputs get new numbers, because links with equal numbers must have equal end points.
  *
  * @param isLeastUsedChosen whether the least used module is removed ({@code deleteLeastUsed}; of several, the first),
  *     else a random one

@@ -11,8 +11,9 @@ import mmneat.random.ResumableRandom;
 /**
  * Adds a module whose policy and preference neurons are linked to all inputs.
  *
- * <p>Quirk: these output neurons take their innovation from the counter; that of all others follows from their
- * position.
+ * <p>Quirk: the innovation numbers of the new output neurons come from the counter of the pool. The innovation number
+ * of every other output neuron follows from its position. The outputs of such a module can therefore have another order
+ * than in the {@link mmneat.neat.Archetype}.
  *
  * <p>Source: docs/specification/networks.md, section 8.7.
  */

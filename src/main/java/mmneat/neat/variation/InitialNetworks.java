@@ -14,8 +14,9 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 
 /**
- * Factory of the networks that evolution starts from: policy neurons linked to all inputs, preference neurons to one
- * input, no hidden neurons.
+ * Factory of the networks that evolution starts from. They have no hidden neurons. Each policy neuron is linked to all
+ * inputs, or to randomly drawn ones if {@link InputSelection} says so. Each preference neuron is linked to one input,
+ * drawn at random for each network.
  *
  * <p>Source: docs/specification/networks.md, sections 3.2 and 3.3.
  *

@@ -13,11 +13,13 @@ import mmneat.neat.NodeType;
 import mmneat.random.ResumableRandom;
 
 /**
- * MM(D): adds a module that copies the incoming links of a random module's policy neurons, so that both have the same
- * outputs until one is mutated. The new module has its own preference neuron.
+ * MM(D): adds a module that copies the incoming links of a random module's policy neurons. The new module has its own
+ * preference neuron. Both modules give the same outputs until one is mutated, with the exception of the following
+ * quirk.
  *
- * <p>Quirk: the new neurons come last in node order, so a link that was recurrent for the old neuron can be a forward
- * link for the new one.
+ * <p>Quirk: the new neurons come last in node order. A link from an output behind the old policy neuron, such as its
+ * own preference neuron, is recurrent for the old neuron but a forward link for the new one. Then the outputs differ
+ * from the start.
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 3.2; docs/specification/networks.md, section 8.5.
  */

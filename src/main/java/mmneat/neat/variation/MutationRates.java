@@ -3,7 +3,8 @@ package mmneat.neat.variation;
 import java.util.Objects;
 
 /**
- * Rates of the mutations of an offspring, each a probability in [0, 1]. The names in brackets are the parameters.
+ * Rates of the mutations of an offspring, each a probability in [0, 1]. The names in brackets are the parameters of the
+ * command line that set them.
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 5.2.3; docs/specification/networks.md, sections 1 and 8.1.
  *
@@ -70,6 +71,7 @@ public record MutationRates(
      */
     public record ModuleRates(double previous, double random, double duplication, double full) {
 
+        /** No module is added. */
         public static final ModuleRates NONE = new ModuleRates(0, 0, 0, 0);
 
         /**
@@ -94,10 +96,11 @@ public record MutationRates(
      * Rates of the mutations that remove something.
      *
      * @param link a random link ({@code deleteLinkRate})
-     * @param module a module of several ({@code deleteModeRate})
+     * @param module a module; only networks with several modules lose one ({@code deleteModeRate})
      */
     public record DeletionRates(double link, double module) {
 
+        /** Nothing is removed. */
         public static final DeletionRates NONE = new DeletionRates(0, 0);
 
         /**
@@ -120,6 +123,7 @@ public record MutationRates(
      */
     public record FreezingRates(double policy, double preference, double alternate) {
 
+        /** Nothing is frozen. */
         public static final FreezingRates NONE = new FreezingRates(0, 0, 0);
 
         /**

@@ -48,8 +48,10 @@ public final class Reproduction {
     }
 
     /**
-     * Returns the children of two parents, which may be the same. The child with the second parent's structure comes
-     * first. If there is room for one child only, that child is dropped before it is mutated, as in the original.
+     * Returns the children of two parents, which may be the same. Two children are made, each with the structure of one
+     * parent. If {@code room} is 2 or more, both are mutated and returned: first the child with the structure of {@code
+     * second}, then the child with the structure of {@code first}. If {@code room} is 1, only the child with the
+     * structure of {@code first} is mutated and returned; the other is dropped, as in the original.
      *
      * @param room the largest number of children to return, at least 1; more than 2 counts as 2
      * @throws IllegalArgumentException if {@code room} is less than 1, a parent has genes that are not of this pool,
