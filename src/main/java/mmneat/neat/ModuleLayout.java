@@ -77,7 +77,7 @@ public record ModuleLayout(
     }
 
     /**
-     * One module without preference neuron: method 1M.
+     * One module without preference neuron, which always answers: method 1M of the paper.
      *
      * @throws IllegalArgumentException if there is no policy neuron
      */

@@ -9,6 +9,7 @@ final class ScoreOrder {
 
     /** A number for each individual, for example its score in one objective. */
     interface Value {
+        /** Returns the number of an individual, given by its index. */
         double of(int individual);
     }
 

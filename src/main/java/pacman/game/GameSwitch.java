@@ -36,11 +36,11 @@ public enum GameSwitch {
     /** A level ends when no power pill is left. */
     END_AFTER_POWER_PILLS_EATEN;
 
-    /** The pill-eating game of the isolated task. */
+    /** The switches of the pill-eating game of the isolated task ({@link GameRules#isolatedPills}). */
     public static final Set<GameSwitch> PILL_TASK =
             Collections.unmodifiableSet(EnumSet.of(REMOVE_PILLS_NEAR_POWER_PILLS, WITHOUT_POWER_PILLS));
 
-    /** The ghost-eating game of the isolated task. */
+    /** The switches of the ghost-eating games of the isolated task ({@link GameRules#isolatedGhosts}). */
     public static final Set<GameSwitch> GHOST_TASK = Collections.unmodifiableSet(EnumSet.of(
             EXIT_LAIR_EDIBLE,
             LAIR_EXIT_DATABASE,

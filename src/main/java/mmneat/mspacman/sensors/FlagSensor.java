@@ -1,8 +1,9 @@
 package mmneat.mspacman.sensors;
 
-/** A sensor that is 1 if something holds, else 0. */
+/** A sensor with two values: 1 if a fact about the game holds, else 0. */
 interface FlagSensor extends GradedSensor {
 
+    /** Whether the fact holds in an observation: then the value is 1, else 0. */
     boolean holds(Observation observation);
 
     @Override

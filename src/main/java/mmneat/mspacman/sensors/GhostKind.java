@@ -2,7 +2,9 @@ package mmneat.mspacman.sensors;
 
 /** The two kinds of ghosts outside the lair. */
 enum GhostKind {
+    /** A ghost that catches Ms. Pac-Man. */
     THREAT("Threat"),
+    /** A ghost that Ms. Pac-Man can eat. */
     EDIBLE("Edible");
 
     private final String label;

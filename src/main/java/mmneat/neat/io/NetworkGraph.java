@@ -23,9 +23,13 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links, List<S
 
     /** The role of a neuron. */
     enum Role {
+        /** Gets a value from outside. */
         INPUT,
+        /** Neither input nor output. */
         HIDDEN,
+        /** Output neuron that answers for its module. */
         POLICY,
+        /** Output neuron that says how much its module should be chosen. */
         PREFERENCE
     }
 

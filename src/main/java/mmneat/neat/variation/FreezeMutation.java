@@ -23,7 +23,9 @@ record FreezeMutation(Part part) implements MutationOperator {
 
     /** The part of the network to freeze. */
     enum Part {
+        /** The policy neurons and everything upstream of them. */
         POLICY("FreezePolicyMutation"),
+        /** The preference neurons and everything upstream of them. */
         PREFERENCE("FreezePreferenceMutation"),
         /** The preference neurons if the policy neurons are frozen, else the policy neurons. */
         ALTERNATE("FreezeAlternateMutation");

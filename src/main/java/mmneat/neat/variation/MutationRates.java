@@ -119,7 +119,8 @@ public record MutationRates(
      *
      * @param policy policy neurons and everything upstream of them ({@code freezePolicyRate})
      * @param preference preference neurons and everything upstream of them ({@code freezePreferenceRate})
-     * @param alternate the one of the two that is not frozen ({@code freezeAlternateRate})
+     * @param alternate the preference neurons if the policy neurons are frozen, otherwise (also if nothing is frozen)
+     *     the policy neurons, with everything upstream ({@code freezeAlternateRate})
      */
     public record FreezingRates(double policy, double preference, double alternate) {
 
