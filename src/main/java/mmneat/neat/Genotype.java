@@ -38,7 +38,7 @@ public final class Genotype {
      * @param nodes node genes in activation order: inputs, hidden, outputs; no shadow entries of an archetype
      * @param links link genes; no two with the same innovation or the same end points, none into an input
      * @param moduleUsage how often each module was chosen in the last evaluation. An offspring has the counts of its
-     *     parent until it is evaluated, so a module that mutation added has no count yet and the array is shorter than
+     *     parent until it is evaluated. So a module that mutation added has no count yet, and the array is shorter than
      *     the number of modules
      * @throws IllegalArgumentException if the genes do not form a network; the message says where
      * @throws NullPointerException if a part is missing; the message names it

@@ -961,9 +961,9 @@ public final class Game {
     }
 
     /**
-     * Number of missed chances to eat ghosts. It grows by the number of edible ghosts when Ms.&nbsp;Pac-Man dies, by 1
-     * for each ghost whose edible time ends, and, when a power pill is eaten, by the number of active ghosts that are
-     * not threats (in the lair or still edible).
+     * Number of missed chances to eat ghosts. It grows by the number of edible ghosts when Ms.&nbsp;Pac-Man dies, and
+     * by 1 for each ghost whose edible time ends. When a power pill is eaten, it grows by the number of active ghosts
+     * that are not threats (in the lair or still edible).
      */
     public int getGhostRegret() {
         return state.ghostRegret;
@@ -997,8 +997,7 @@ public final class Game {
     /**
      * Sum of the closeness of threats to the power pills that were eaten; larger is nearer. The closeness of a threat
      * is 200 minus its path distance to Ms.&nbsp;Pac-Man when she eats a power pill, at least 0. The sum starts at
-     * -12800 = -(4 levels x 4 power pills x 4 ghosts x 200), so that it reaches 0 only if all ghosts are on every power
-     * pill.
+     * -12800 = -(4 levels x 4 power pills x 4 ghosts x 200). It reaches 0 only if all ghosts are on every power pill.
      */
     public double getLureDistanceSum() {
         return state.lureDistance;

@@ -366,8 +366,8 @@ public final class MazeGraph {
 
     /**
      * Index of a node's bit in a bit set of pills: bit {@code index & 63} of word {@code index >> 6}. It is the number
-     * of the node's pill. All nodes without a pill share the last bit of the set, which is never set, so that a caller
-     * can test or clear the bit of any node without asking for a pill first.
+     * of the node's pill. All nodes without a pill share the last bit of the set, which is never set. So a caller can
+     * test the bit of any node without asking for a pill first.
      */
     public int pillPosition(int node) {
         return pillPosition[node];

@@ -2,8 +2,8 @@ package mmneat.mspacman.sensors;
 
 /**
  * "Max Junctions in 30 Steps": the largest number of junctions on a walk of {@code steps} steps that starts in this
- * direction and never turns back, divided by {@code steps} / 7 rounded up (5 for 30 steps). The divisor scales usual
- * values to [0, 1]; it is not a maximum, and where junctions are close together the value exceeds 1.
+ * direction and never turns back. It is divided by {@code steps} / 7 rounded up (5 for 30 steps). The divisor scales
+ * usual values to [0, 1]; it is not a maximum, and where junctions are close together the value exceeds 1.
  *
  * @param steps length of the walks
  */

@@ -2,8 +2,8 @@ package mmneat.mspacman.sensors;
 
 /**
  * "Max Pills in 30 Steps": the largest number of pills on a walk of {@code steps} steps that starts in this direction
- * and never turns back, divided by {@code steps} / 4 rounded up (8 for 30 steps: a straight corridor has a pill at
- * every fourth step). Power pills do not count. The divisor scales usual values to [0, 1]; it is not a maximum, and
+ * and never turns back. It is divided by {@code steps} / 4 rounded up (8 for 30 steps: a straight corridor has a pill
+ * at every fourth step). Power pills do not count. The divisor scales usual values to [0, 1]; it is not a maximum, and
  * where pills are closer together the value exceeds 1.
  *
  * @param steps length of the walks
