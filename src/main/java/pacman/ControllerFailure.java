@@ -4,9 +4,9 @@ import java.util.Optional;
 import pacman.controllers.Controller;
 
 /**
- * Records which controller threw an exception, and when. It is attached to the controller's exception as a suppressed
- * exception, so that the executor throws the controller's exception itself, as in the competition's framework. If an
- * exception does not allow suppressed ones, a ControllerFailure with it as cause is thrown instead.
+ * A record of which controller threw an exception, and when. It is attached to the controller's exception as a
+ * suppressed exception, so that the executor throws the controller's exception itself, as in the competition's
+ * framework. If an exception does not allow suppressed ones, a ControllerFailure with it as cause is thrown instead.
  */
 public final class ControllerFailure extends RuntimeException {
 

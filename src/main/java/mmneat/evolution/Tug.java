@@ -20,8 +20,7 @@ import mmneat.nsga2.SurvivorSelection;
  *
  * <ul>
  *   <li>An objective whose goal is reached is not active: selection does not use it until the goal is missed again or
- *   all
- *       goals are reached.
+ *       all goals are reached.
  *   <li>When all goals are reached, all goals rise, all objectives are active again, and the averages restart.
  *   <li>When some goals have been missed for too long ({@link TugSettings.Window#advancement}), the reached goals rise
  *       without the others.

@@ -1,7 +1,9 @@
 package pacman.maze;
 
 /**
- * Which neighbours of its target a path enters, besides its length.
+ * A table of the ends of paths: it tells for each path its length and which neighbours of its target it passes. The
+ * sensor that tells from which side a ghost approaches Ms. Pac-Man reads it: her node is the target, and a ghost
+ * approaches in a direction if its path passes her neighbour there.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4.3.
  */
@@ -69,10 +71,13 @@ public final class ApproachTables {
     }
 
     /**
-     * Length of the path along a route to a target, and which neighbours of the target it enters: {@link #lengthOf} and
-     * {@link #neighboursOf} take the answer apart.
+     * Returns, in one int, the length of the path along a route to a target and the neighbours of the target that lie
+     * on the path. {@link #lengthOf} and {@link #neighboursOf} take the int apart. A path can pass more than one
+     * neighbour of its target, for example a junction beside the target before it goes round to the other side. If the
+     * target is the start of the route, the length is 0.
      *
-     * @param route on which a target at the start is reached by no step
+     * @param route route from {@link Routes}, such as that of a ghost
+     * @param target a node, not the lair
      */
     public int approach(long route, int target) {
         int ahead = routes.ahead(route, target);
@@ -96,12 +101,15 @@ public final class ApproachTables {
         return steps + paths.rowLength(row, target) | neighbours << LENGTH_BITS;
     }
 
-    /** The length in an answer of {@link #approach}. */
+    /** The length in a number that {@link #approach} returned. */
     public static int lengthOf(int approach) {
         return approach & LENGTH_MASK;
     }
 
-    /** The neighbours in an answer of {@link #approach}: bits 0 to 3 for the directions from the target. */
+    /**
+     * The neighbours in a number that {@link #approach} returned: bit d is set if the path passes the neighbour of the
+     * target in direction d.
+     */
     public static int neighboursOf(int approach) {
         return approach >> LENGTH_BITS;
     }

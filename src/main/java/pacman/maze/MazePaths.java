@@ -3,17 +3,24 @@ package pacman.maze;
 import java.util.Arrays;
 
 /**
- * The paths that the simulator gives, which are not always the shortest: corridor, path between two junctions,
- * corridor. Immutable.
+ * The paths that the simulator gives to controllers and ghosts: corridor, path between two junctions, corridor. They
+ * are not always the shortest, because the search for paths between junctions is that of the competition ({@link
+ * NonReversingSearch}). Immutable.
  *
  * <p>A path lists the nodes after the start, the target last; its length is its number of steps; it is empty if start
- * and target are the same. Directions are 0 up, 1 right, 2 down, 3 left; a last move may also be 4, none.
+ * and target are the same. Directions are 0 up, 1 right, 2 down, 3 left; a last move may also be 4, none. A
+ * <em>directed</em> path never turns back, also not at its start: it does not begin with the opposite of the last move.
+ * An <em>undirected</em> path may leave its start in any direction. {@link Routes} explains rows and routes, by which
+ * sensors ask for many paths from one place.
  *
  * <p>Source: docs/specification/simulator.md, sections 4.3 and 4.4.
  */
 public final class MazePaths {
 
-    /** A path passes every node at most so often: leg, path between junctions, leg. */
+    /**
+     * Number of times that a path can pass one node: once each in its first corridor, its path between junctions, and
+     * its last corridor. An array for a path needs this number times the number of nodes.
+     */
     public static final int LONGEST = 3;
 
     private static final int[] EMPTY = {};
@@ -196,10 +203,11 @@ public final class MazePaths {
     // ---- Paths that must not turn back ----
 
     /**
-     * Length of the path that must not turn back, from a node that was entered by a last move.
+     * Length of the directed path, which must not turn back, from a node that was entered by a last move. It is 0 if
+     * both nodes are the same, or if the start is the lair.
      *
      * @param lastMove 0 to 3, or 4 for none
-     * @throws IndexOutOfBoundsException if only the target is the lair
+     * @throws IndexOutOfBoundsException if the target is the lair and the start is not
      */
     public int directedLength(int from, int to, int lastMove) {
         if (from == to || from == graph.lair()) {
@@ -222,7 +230,9 @@ public final class MazePaths {
     /**
      * Length of the path along a route to a target.
      *
-     * @param least 0 if a target at the route's start is reached by no step, 1 if only by a way around
+     * @param least smallest length that a path within the corridor of the route may have, 0 or 1. It matters only if
+     *     the target is the start: with 0 the length is 0; with 1 it is that of the path that leaves along the route
+     *     and comes back
      */
     public int length(long route, int least, int target) {
         int ahead = routes.ahead(route, target);

@@ -15,8 +15,9 @@
  *       tables and the competition's own search class call it.
  * </ul>
  *
- * <p>{@link pacman.maze.Routes}, {@link pacman.maze.PillTables}, {@link pacman.maze.OnwardJunctions} and
- * {@link pacman.maze.WalkTables} are made for the sensors of networks, which ask the same questions in every step.
+ * <p>{@link pacman.maze.Routes}, {@link pacman.maze.ApproachTables}, {@link pacman.maze.PillTables}, {@link
+ * pacman.maze.OnwardJunctions} and {@link pacman.maze.WalkTables} are made for the sensors of networks, which ask the
+ * same questions in every step.
  *
  * <p>Words of these tables: a <em>junction</em> is a node with at least three neighbours; a <em>corridor</em> is a
  * chain of nodes between two junctions; a <em>leg</em> is the way from a node along its corridor to a junction; a
