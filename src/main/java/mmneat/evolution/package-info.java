@@ -8,7 +8,7 @@
  *
  * <p>A <em>run</em> is one evolution with one seed. An <em>evaluation</em> of an individual consists of one or more
  * <em>trials</em>, whose scores are combined. A trial consists of one or more <em>episodes</em>: an episode is a
- * simulation from a start to an end, such as one game. {@link mmneat.neat} explains the words original, published
+ * simulation from a start to an end, such as one game. {@code mmneat.neat} explains the words original, published
  * experiments, quirk, module, policy neuron, preference neuron, and the methods (1M, 2M, MM(D), MT and others). A name
  * in brackets, such as ({@code mu}), is the parameter of the command line that sets a value.
  *
