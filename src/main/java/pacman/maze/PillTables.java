@@ -90,16 +90,15 @@ public final class PillTables {
     }
 
     /**
-     * Steps to the first active pill in the corridor ahead, its junction included.
+     * The first active pill in the corridor ahead, its junction included.
      *
      * @param active bits of the active pills
-     * @return 0 if there is none
+     * @return steps and pill, for {@link #stepsOf} and {@link #pillOf}; 0 if there is none
      */
-    public int stepsToPillAhead(int node, int direction, long[] active) {
+    public int firstAhead(int node, int direction, long[] active) {
         for (int i = aheadFrom[4 * node + direction]; i < aheadFrom[4 * node + direction + 1]; i++) {
-            int pill = ahead[i] & 0xFFFF;
-            if ((active[pill >> 6] >>> pill & 1) != 0) {
-                return ahead[i] >> 16;
+            if (isActive(pillOf(ahead[i]), active)) {
+                return ahead[i];
             }
         }
         return 0;
@@ -108,7 +107,12 @@ public final class PillTables {
     /** Whether the pill on a node is there and active. */
     public boolean isActiveAt(int node, long[] active) {
         int pill = numbers[node];
-        return pill >= 0 && (active[pill >> 6] >>> pill & 1) != 0;
+        return pill >= 0 && isActive(pill, active);
+    }
+
+    /** Whether a pill is active. */
+    public static boolean isActive(int pill, long[] active) {
+        return (active[pill >> 6] >>> pill & 1) != 0;
     }
 
     /**
@@ -120,14 +124,24 @@ public final class PillTables {
     public int firstActive(int row, int rank, long[] active) {
         int base = row * pillNodes.length;
         int at = rank;
-        while ((active[(order[base + at] & 0xFFFF) >> 6] >>> order[base + at] & 1) == 0) {
+        while (!isActive(pillOf(order[base + at]), active)) {
             at++;
         }
         return at;
     }
 
-    /** Steps from a row's junction to the pill with a rank in its order. */
-    public int steps(int row, int rank) {
-        return order[row * pillNodes.length + rank] >> 16;
+    /** Steps from a row's junction, and number, of the pill with a rank in its order. */
+    public int ranked(int row, int rank) {
+        return order[row * pillNodes.length + rank];
+    }
+
+    /** The steps in an answer. */
+    public static int stepsOf(int answer) {
+        return answer >> 16;
+    }
+
+    /** The number of the pill in an answer. */
+    public static int pillOf(int answer) {
+        return answer & 0xFFFF;
     }
 }

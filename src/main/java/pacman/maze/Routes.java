@@ -33,6 +33,10 @@ public final class Routes {
     private static final int FIELD_MASK = 0xFFF;
     private static final long BACKWARD = 1L << 52;
     private static final int NO_CORRIDOR = FIELD_MASK;
+    private static final int ROW_MASK = 0xFFFF;
+
+    /** The bits in which routes along the same corridor in the same sense are equal. */
+    private static final long COURSE = BACKWARD | (long) FIELD_MASK << CORRIDOR_SHIFT;
 
     private final MazeGraph graph;
     private final Corridors corridors;
@@ -166,7 +170,7 @@ public final class Routes {
 
     /** The row at the end of a route: the number of the pair of the junction there and the move that enters it. */
     public static int row(long route) {
-        return (int) route & 0xFFFF;
+        return (int) route & ROW_MASK;
     }
 
     /** Steps to the junction at the end of a route's corridor. */
@@ -217,7 +221,12 @@ public final class Routes {
 
     /** Whether two routes go along the same corridor in the same direction. */
     public static boolean isSameCourse(long route, long other) {
-        return ((route ^ other) & (BACKWARD | (long) FIELD_MASK << CORRIDOR_SHIFT)) == 0;
+        return ((route ^ other) & COURSE) == 0;
+    }
+
+    /** Whether two routes start at most one step apart and go to the same junction along the same corridor. */
+    public static boolean isStepAlong(long route, long other) {
+        return ((route ^ other) & (COURSE | ROW_MASK)) == 0 && Math.abs(steps(route) - steps(other)) <= 1;
     }
 
     /** The move by which a row's junction was entered, or {@link #NEUTRAL}. */

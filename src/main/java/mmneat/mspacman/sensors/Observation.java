@@ -4,7 +4,6 @@ import java.util.Arrays;
 import pacman.game.Game;
 import pacman.maze.ApproachTables;
 import pacman.maze.MazePaths;
-import pacman.maze.PillTables;
 import pacman.maze.Routes;
 
 /**
@@ -43,10 +42,8 @@ public final class Observation {
     private final int[] ghostNode = new int[GHOSTS];
     private final int[] edibleTime = new int[GHOSTS];
     private final int[] lairTime = new int[GHOSTS];
-    private long[] activePills = new long[0];
-    private int pillsLeft;
-    private final long[] activePowerPills = new long[1];
-    private int powerPillsLeft;
+    private final PillsLeft pills = new PillsLeft();
+    private final PillsLeft powerPills = new PillsLeft();
 
     // What follows from the state.
     private final long[] ghostRoute = new long[GHOSTS];
@@ -82,11 +79,6 @@ public final class Observation {
 
     private int ghostsOutside;
 
-    /** In each row's order of pills the first that may be active: pills do not come back within a level. */
-    private int[] firstActiveRank = new int[0];
-
-    private int[] firstActivePowerRank = new int[0];
-
     /** Per direction, the list of walks for which {@link #mostPills} was found, -1 if pills have changed since. */
     private final int[] knownWalks = new int[4];
 
@@ -101,7 +93,7 @@ public final class Observation {
         game = observed;
         enter(maze, observed.getMazeIndex());
         placePacMan(observed.getPacmanCurrentNodeIndex());
-        for (int word = 0; word < activePills.length; word++) {
+        for (int word = 0; word < pills.bits().length; word++) {
             setPills(word, observed.pillBits(word));
         }
         setPowerPills(observed.powerPillBits());
@@ -125,15 +117,9 @@ public final class Observation {
         tables = maze;
         paths = maze.paths;
         routes = maze.routes;
-        activePills = new long[maze.graph.pillWords()];
+        pills.enter(maze.pills, routes.rowCount(), maze.graph.pillWords());
+        powerPills.enter(maze.powerPills, routes.rowCount(), 1);
         Arrays.fill(knownWalks, -1);
-        int rows = routes.rowCount();
-        if (firstActiveRank.length < rows) {
-            firstActiveRank = new int[rows];
-            firstActivePowerRank = new int[rows];
-        }
-        Arrays.fill(firstActiveRank, 0);
-        Arrays.fill(firstActivePowerRank, 0);
     }
 
     /** Sets Ms. Pac-Man's node. */
@@ -148,21 +134,14 @@ public final class Observation {
      * @param word number of the word
      */
     void setPills(int word, long bits) {
-        if ((bits & ~activePills[word]) != 0) {
-            Arrays.fill(firstActiveRank, 0);
-        }
-        if (bits != activePills[word]) {
+        if (pills.set(word, bits)) {
             Arrays.fill(knownWalks, -1);
         }
-        activePills[word] = bits;
     }
 
     /** Sets the bits of the active power pills. */
     void setPowerPills(long bits) {
-        if ((bits & ~activePowerPills[0]) != 0) {
-            Arrays.fill(firstActivePowerRank, 0);
-        }
-        activePowerPills[0] = bits;
+        powerPills.set(0, bits);
     }
 
     /**
@@ -180,11 +159,6 @@ public final class Observation {
     /** Finds what follows from the state, once everything is set. */
     void conclude() {
         headingKnown = 0;
-        pillsLeft = 0;
-        for (long word : activePills) {
-            pillsLeft += Long.bitCount(word);
-        }
-        powerPillsLeft = Long.bitCount(activePowerPills[0]);
         highestEdibleTime = 0;
         edibleGhosts = 0;
         threats = 0;
@@ -305,7 +279,7 @@ public final class Observation {
 
     /** One word of the bits of active pills. */
     long activePills(int word) {
-        return activePills[word];
+        return pills.bits()[word];
     }
 
     /**
@@ -315,7 +289,7 @@ public final class Observation {
     long commonState() {
         return (long) highestEdibleTime << 32
                 | (isCloseToPowerPill() ? 1L << 31 : 0)
-                | (long) (edibleGhosts << 28 | threats << 24 | powerPillsLeft << 16 | pillsLeft);
+                | (long) (edibleGhosts << 28 | threats << 24 | powerPills.count() << 16 | pills.count());
     }
 
     // ---- What sensors ask ----
@@ -396,7 +370,7 @@ public final class Observation {
 
     /** Number of pills that are left. */
     public int pillsLeft() {
-        return pillsLeft;
+        return pills.count();
     }
 
     /** Number of pills of the maze, whether or not this game started with all of them. */
@@ -406,7 +380,7 @@ public final class Observation {
 
     /** Number of power pills that are left. */
     public int powerPillsLeft() {
-        return powerPillsLeft;
+        return powerPills.count();
     }
 
     /** Number of power pills of the maze. */
@@ -419,31 +393,17 @@ public final class Observation {
      * distance.
      */
     public boolean isCloseToPowerPill() {
-        return (tables.closePowerPills[node] & activePowerPills[0]) != 0;
+        return (tables.closePowerPills[node] & powerPills.bits()[0]) != 0;
     }
 
     /** Steps in this direction to the nearest active pill, or -1 if none is left. */
     public int nearestPill() {
-        return pillsLeft == 0 ? -1 : nearest(tables.pills, activePills, firstActiveRank);
+        return pills.nearest(node, direction, route, least);
     }
 
     /** Steps in this direction to the nearest active power pill, or -1 if none is left. */
     public int nearestPowerPill() {
-        return powerPillsLeft == 0 ? -1 : nearest(tables.powerPills, activePowerPills, firstActivePowerRank);
-    }
-
-    private int nearest(PillTables pills, long[] active, int[] firstRank) {
-        if (least == 0 && pills.isActiveAt(node, active)) {
-            return 0;
-        }
-        int ahead = pills.stepsToPillAhead(node, direction, active);
-        if (ahead > 0) {
-            return ahead;
-        }
-        int row = Routes.row(route);
-        int rank = pills.firstActive(row, firstRank[row], active);
-        firstRank[row] = rank;
-        return Routes.steps(route) + pills.steps(row, rank);
+        return powerPills.nearest(node, direction, route, least);
     }
 
     /** Steps in this direction to the next junction. */
@@ -546,7 +506,7 @@ public final class Observation {
         int list = tables.walks.list(node, direction);
         if (list != knownWalks[direction]) {
             knownWalks[direction] = list;
-            mostPills[direction] = tables.walks.mostPills(list, activePills);
+            mostPills[direction] = tables.walks.mostPills(list, pills.bits());
         }
         return mostPills[direction];
     }

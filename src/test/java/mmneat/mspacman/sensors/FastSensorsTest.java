@@ -9,13 +9,17 @@ import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import pacman.maze.MazeGraph;
 import pacman.maze.MazeTables;
 import pacman.maze.Mazes;
 
-/** Sensors that look up equal sensors that search, in 120,000 random states. */
+/** Sensors that look up equal sensors that search, in 180,000 random states. */
 class FastSensorsTest {
 
     private static final int STATES_PER_MAZE = 20_000;
+
+    /** Steps of a walk. */
+    private static final int STEPS = 50;
 
     static Stream<MazeTables> mazes() {
         return Stream.concat(
@@ -47,35 +51,58 @@ class FastSensorsTest {
                 STATES_PER_MAZE / 10);
     }
 
+    /** What fast sensors keep from one step to the next is right, too. */
+    @ParameterizedTest
+    @MethodSource("mazes")
+    void fastSensors_equalSearchingOnes_alongWalks(MazeTables maze) {
+        MazeGraph graph = maze.graph();
+        ResumableRandom random = new ResumableRandom(graph.lair());
+        SensorSettings settings = SensorSettings.blended();
+        SensorSuite suite = SensorSuite.of(settings);
+        NetworkInputs senses = suite.newInputs();
+        for (int walk = 0; walk < STATES_PER_MAZE / 2 / STEPS; walk++) {
+            RandomState state = new RandomState(graph, random);
+            int direction = 0;
+            for (int step = 0; step < STEPS; step++) {
+                compare(maze, settings, state, suite, senses);
+                while (!graph.isOpen(state.pacMan, direction) || random.nextInt(10) == 0) {
+                    direction = random.nextInt(4);
+                }
+                state = state.afterStep(graph, direction, random);
+            }
+        }
+    }
+
     private static void compare(MazeTables maze, SensorSettings settings, int states) {
         ResumableRandom random = new ResumableRandom(maze.graph().nodeCount());
         SensorSuite suite = SensorSuite.of(settings);
-        SensorTables tables = suite.tables(maze);
         NetworkInputs senses = suite.newInputs();
         for (int i = 0; i < states; i++) {
-            RandomState state = new RandomState(maze.graph(), random);
-            ReferenceSensors reference = new ReferenceSensors(maze, state);
-            state.show(senses, tables);
-            for (int d = 0; d < 4; d++) {
-                if (senses.observation().isOpen(d)) {
-                    double[] expected = reference.inputs(d, settings);
-                    double[] inputs = senses.inputs(d);
-                    if (!Arrays.equals(inputs, expected)) {
-                        assertThat(inputs)
-                                .as(
-                                        "maze %s, direction %d, %s: %s",
-                                        maze.graph().name(), d, state, suite.labels(d))
-                                .containsExactly(expected);
-                    }
-                    senses.sense(d);
-                    double[] activations =
-                            Arrays.copyOfRange(senses.activations(), d * suite.size(), (d + 1) * suite.size());
-                    for (int input = 0; input < expected.length; input++) {
-                        if (activations[input] != StrictMath.tanh(expected[input])) {
-                            assertThat(activations[input])
-                                    .as("activation of %s", suite.labels(d).get(input))
-                                    .isEqualTo(StrictMath.tanh(expected[input]));
-                        }
+            compare(maze, settings, new RandomState(maze.graph(), random), suite, senses);
+        }
+    }
+
+    private static void compare(
+            MazeTables maze, SensorSettings settings, RandomState state, SensorSuite suite, NetworkInputs senses) {
+        ReferenceSensors reference = new ReferenceSensors(maze, state);
+        state.show(senses, suite.tables(maze));
+        for (int d = 0; d < 4; d++) {
+            if (senses.observation().isOpen(d)) {
+                double[] expected = reference.inputs(d, settings);
+                double[] inputs = senses.inputs(d);
+                if (!Arrays.equals(inputs, expected)) {
+                    assertThat(inputs)
+                            .as("maze %s, direction %d, %s: %s", maze.graph().name(), d, state, suite.labels(d))
+                            .containsExactly(expected);
+                }
+                senses.sense(d);
+                double[] activations =
+                        Arrays.copyOfRange(senses.activations(), d * suite.size(), (d + 1) * suite.size());
+                for (int input = 0; input < expected.length; input++) {
+                    if (activations[input] != StrictMath.tanh(expected[input])) {
+                        assertThat(activations[input])
+                                .as("activation of %s", suite.labels(d).get(input))
+                                .isEqualTo(StrictMath.tanh(expected[input]));
                     }
                 }
             }

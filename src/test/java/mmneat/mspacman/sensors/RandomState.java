@@ -28,6 +28,44 @@ final class RandomState {
         powerPills = random.nextInt(3) == 0 ? 0 : random.nextLong() & (1L << graph.powerPillCount()) - 1;
     }
 
+    private RandomState(RandomState before, int pacMan) {
+        this.pacMan = pacMan;
+        System.arraycopy(before.ghostNode, 0, ghostNode, 0, 4);
+        System.arraycopy(before.edible, 0, edible, 0, 4);
+        System.arraycopy(before.lair, 0, lair, 0, 4);
+        System.arraycopy(before.lastMove, 0, lastMove, 0, 4);
+        pills = before.pills.clone();
+        powerPills = before.powerPills;
+    }
+
+    /**
+     * A state one step later: Ms. Pac-Man moves in a direction and mostly eats what is on her new node, ghosts outside
+     * the lair move without turning back.
+     */
+    RandomState afterStep(MazeGraph graph, int direction, ResumableRandom random) {
+        RandomState next = new RandomState(this, graph.neighbour(pacMan, direction));
+        for (int ghost = 0; ghost < 4; ghost++) {
+            next.edible[ghost] = Math.max(0, edible[ghost] - 1);
+            if (lair[ghost] == 0 && (edible[ghost] & 1) == 0) {
+                next.moveGhost(ghost, graph, random);
+            }
+        }
+        int pill = graph.pillNumber(next.pacMan);
+        if (pill >= 0 && random.nextInt(10) > 0) {
+            next.pills[pill >> 6] &= ~(1L << pill);
+        }
+        return next;
+    }
+
+    private void moveGhost(int ghost, MazeGraph graph, ResumableRandom random) {
+        int move = random.nextInt(4);
+        while (graph.neighbour(ghostNode[ghost], move) < 0 || move == (lastMove[ghost] ^ 2)) {
+            move = random.nextInt(4);
+        }
+        ghostNode[ghost] = graph.neighbour(ghostNode[ghost], move);
+        lastMove[ghost] = move;
+    }
+
     private void placeGhost(int ghost, MazeGraph graph, boolean crowded, ResumableRandom random) {
         if (random.nextInt(8) == 0) {
             ghostNode[ghost] = graph.lair();
