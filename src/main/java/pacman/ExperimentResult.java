@@ -14,7 +14,7 @@ public record ExperimentResult(List<Integer> scores, long steps) {
     public ExperimentResult {
         scores = List.copyOf(scores);
         if (scores.isEmpty()) {
-            throw new IllegalArgumentException("an experiment has at least one game");
+            throw new IllegalArgumentException("an experiment must have at least one game");
         }
     }
 

@@ -63,7 +63,7 @@ final class GhostsOption {
 
     private void requireReadable() {
         if (file != null && !Files.isReadable(file)) {
-            throw new UserError(NAME + "=" + file + ": there is no such file that can be read");
+            throw new UserError(NAME + "=" + file + ": the file is missing or not readable");
         }
     }
 }

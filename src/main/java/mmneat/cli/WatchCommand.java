@@ -104,7 +104,8 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
         if (!name.matches(".*\\.(html?|gif)")) {
             throw new UserError("out=" + out + ": must end in .html (a page) or .gif (an animated picture)");
         }
-        requireEffect("delay", window, "pages and pictures have their own speed (delay= goes with window=true)");
+        requireEffect(
+                "delay", window, "pages and pictures have their own speed (delay= is used only with window=true)");
         if (window) {
             showWindow(champion, settings);
         } else {

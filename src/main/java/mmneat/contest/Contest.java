@@ -152,7 +152,7 @@ public final class Contest {
         ContestResult result = tally.result();
         ended.accept(result);
         notes.println("mmneat: the program was ended in game " + playing + " of " + settings.games() + "; "
-                + (result.scores().isEmpty() ? "there is no result" : "the result is of the games before"));
+                + (result.scores().isEmpty() ? "there is no result" : "the result is that of the games before"));
         notes.flush();
     }
 }

@@ -57,7 +57,7 @@ public record EvolutionSettings(
         Objects.requireNonNull(variation, "variation");
         Objects.requireNonNull(tug, "tug");
         if (ownSelection.isPresent() && tug.isPresent()) {
-            throw new IllegalArgumentException("TUG does not go with a selection of one's own");
+            throw new IllegalArgumentException("TUG cannot be combined with a selection of your own");
         }
     }
 

@@ -78,8 +78,8 @@ public record EvolutionState(
      */
     public void requireReachable(EvolutionSettings settings) {
         if (population.size() != settings.populationSize()) {
-            throw new IllegalArgumentException(
-                    "the population has " + population.size() + " genotypes, mu is " + settings.populationSize());
+            throw new IllegalArgumentException("population size mismatch: mu is " + settings.populationSize()
+                    + ", but the population has " + population.size() + " genotypes");
         }
         int inputs = settings.initialNetworks().inputs();
         ModuleLayout layout = settings.initialNetworks().layout();
@@ -89,12 +89,13 @@ public record EvolutionState(
                     && genotype.layout().standardMultitask() == layout.standardMultitask()
                     && genotype.layout().isGrouped() == layout.isGrouped();
             if (!isOfTask || layout.isDivided() && genotype.layout().choicesOfTask() != layout.choicesOfTask()) {
-                throw new IllegalArgumentException(genotype + " is no network for this task, which has " + inputs
-                        + " inputs and " + layout.policyNeuronsPerModule() + " policy neurons a module");
+                throw new IllegalArgumentException(genotype + " does not fit this task, which has " + inputs
+                        + " inputs and " + layout.policyNeuronsPerModule() + " policy neurons per module");
             }
             requireKnownFunctions(genotype, settings.initialNetworks().activation());
             if (genotype.moduleUsage().length > genotype.modules()) {
-                throw new IllegalArgumentException("the module usage of " + genotype + " is of more modules");
+                throw new IllegalArgumentException("the module usage of " + genotype + " is that of a network with "
+                        + genotype.moduleUsage().length + " modules");
             }
         }
         pool.requireOwn(population);

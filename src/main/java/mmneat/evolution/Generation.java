@@ -79,6 +79,7 @@ public record Generation(
     private static Individual best(List<Individual> population, ToDoubleFunction<Individual> score) {
         return population.stream()
                 .reduce((best, next) -> score.applyAsDouble(next) >= score.applyAsDouble(best) ? next : best)
-                .orElseThrow(() -> new IllegalArgumentException("no individuals to choose the best of"));
+                .orElseThrow(
+                        () -> new IllegalArgumentException("the population is empty, so it has no best individual"));
     }
 }

@@ -22,7 +22,7 @@ public enum ScoreStatistic {
     MAX("Max") {
         @Override
         public double of(double... scores) {
-            SampleStatistics.requireValues(scores, "take the largest of");
+            SampleStatistics.requireValues(scores, "take the maximum of");
             return Arrays.stream(scores).max().orElseThrow();
         }
     },
@@ -31,7 +31,7 @@ public enum ScoreStatistic {
     MIN("Min") {
         @Override
         public double of(double... scores) {
-            SampleStatistics.requireValues(scores, "take the smallest of");
+            SampleStatistics.requireValues(scores, "take the minimum of");
             return Arrays.stream(scores).min().orElseThrow();
         }
     },

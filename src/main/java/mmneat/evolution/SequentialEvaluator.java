@@ -57,7 +57,7 @@ public final class SequentialEvaluator implements Evaluator {
             // A wrong length could let module mutation add a module.
             throw new BadEvaluationException(
                     whose + " has " + genotype.modules() + " modules, but the task gave the usage of "
-                            + evaluation.moduleUsage().length + ": give one number for each module");
+                            + evaluation.moduleUsage().length + "; it must give one number for each module");
         }
         return Individual.of(genotype, evaluation, nanoseconds);
     }

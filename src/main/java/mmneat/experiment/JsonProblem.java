@@ -25,9 +25,9 @@ public final class JsonProblem {
         if (e instanceof ValueInstantiationException refused && refused.getCause() != null) {
             return String.valueOf(refused.getCause().getMessage());
         }
-        String message = e.getOriginalMessage().lines().findFirst().orElse("it is no JSON");
+        String message = e.getOriginalMessage().lines().findFirst().orElse("it is not JSON");
         if (e instanceof MismatchedInputException mismatch && message.contains("`")) {
-            return (mismatch.getPath().isEmpty() ? "it" : field(mismatch)) + " has a value of another kind";
+            return (mismatch.getPath().isEmpty() ? "it" : field(mismatch)) + " has a value of the wrong type";
         }
         // The parser's message continues with its own settings.
         return message.replaceFirst(": enable `.*", "");

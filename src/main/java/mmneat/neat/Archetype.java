@@ -221,7 +221,7 @@ public final class Archetype {
                 }
                 if (entry.type().compareTo(last) < 0) {
                     throw new IllegalArgumentException("archetype: neuron " + entry.innovation() + " of type "
-                            + entry.type() + " stands behind one of type " + last);
+                            + entry.type() + " follows a neuron of type " + last);
                 }
                 last = entry.type();
             }
@@ -245,7 +245,7 @@ public final class Archetype {
                 }
                 if (next == entries.size()) {
                     throw new IllegalArgumentException("archetype: neuron " + neuron.innovation() + " of genotype "
-                            + genotype.id() + " stands in another place than in the genotype");
+                            + genotype.id() + " has a different position than in the genotype");
                 }
             }
         }

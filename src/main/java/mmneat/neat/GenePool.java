@@ -68,13 +68,15 @@ public final class GenePool {
     public void requireOwn(Genotype genotype) {
         int unknown = archetype.firstUnknown(genotype);
         if (unknown >= 0) {
-            throw new IllegalArgumentException("genotype " + genotype.id() + " is not of this pool: nodes[" + unknown
-                    + "] of innovation " + genotype.nodes().get(unknown).innovation() + " is not in its archetype");
+            throw new IllegalArgumentException(
+                    "genotype " + genotype.id() + " does not belong to this pool: nodes[" + unknown + "] of innovation "
+                            + genotype.nodes().get(unknown).innovation() + " is not in its archetype");
         }
         for (LinkGene link : genotype.links()) {
             if (link.innovation() >= nextInnovation) {
                 throw new IllegalArgumentException("genotype " + genotype.id()
-                        + " is not of this pool: a link has innovation " + link.innovation() + ", the pool's next is "
+                        + " does not belong to this pool: a link has innovation " + link.innovation()
+                        + ", but the pool's next innovation is "
                         + nextInnovation);
             }
         }

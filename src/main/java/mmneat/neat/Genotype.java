@@ -171,8 +171,8 @@ public final class Genotype {
 
     private void requireNodesInOrder() {
         if (inputs < 1 || nodes.size() < (long) inputs + layout.outputs()) {
-            throw new IllegalArgumentException("nodes: " + nodes.size() + " are too few for " + inputs + " inputs and "
-                    + layout.outputs() + " outputs");
+            throw new IllegalArgumentException("nodes: " + nodes.size() + " are not enough for " + inputs
+                    + " inputs and " + layout.outputs() + " outputs");
         }
         Set<Long> innovations = new HashSet<>(nodes.size() * 2);
         for (int i = 0; i < nodes.size(); i++) {
@@ -183,8 +183,8 @@ public final class Genotype {
                         + " inputs and " + layout.outputs() + " outputs, is " + node.type());
             }
             if (node.fromCombiningCrossover()) {
-                throw new IllegalArgumentException(
-                        "nodes[" + i + "].fromCombiningCrossover: is true, as only entries of an archetype are");
+                throw new IllegalArgumentException("nodes[" + i
+                        + "].fromCombiningCrossover: must be false, as it is only for entries of an archetype");
             }
             if (!innovations.add(node.innovation())) {
                 throw new IllegalArgumentException(

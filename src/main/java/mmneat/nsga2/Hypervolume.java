@@ -37,15 +37,15 @@ public final class Hypervolume {
 
     private static void requireReference(double[] reference, double[][] scores) {
         if (reference.length == 0) {
-            throw new IllegalArgumentException("a volume needs at least one objective");
+            throw new IllegalArgumentException("the hypervolume needs at least one objective");
         }
         if (scores.length > 0 && scores[0].length != reference.length) {
             throw new IllegalArgumentException(
-                    "scores have " + scores[0].length + " objectives, the reference has " + reference.length);
+                    "scores have " + scores[0].length + " objectives, but the reference point has " + reference.length);
         }
         for (double least : reference) {
             if (!Double.isFinite(least)) {
-                throw new IllegalArgumentException("reference must be finite, is " + Arrays.toString(reference));
+                throw new IllegalArgumentException("reference point must be finite, is " + Arrays.toString(reference));
             }
         }
     }

@@ -61,7 +61,7 @@ public final class NondominatedSorting {
         for (int i = 0; i < scores.length; i++) {
             if (scores[i].length != scores[0].length) {
                 throw new IllegalArgumentException("individual " + i + " has " + scores[i].length
-                        + " objectives, individual 0 has " + scores[0].length);
+                        + " objectives, but individual 0 has " + scores[0].length);
             }
             for (int objective = 0; objective < scores[i].length; objective++) {
                 if (!Double.isFinite(scores[i][objective])) {

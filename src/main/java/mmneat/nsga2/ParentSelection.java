@@ -95,7 +95,7 @@ public record ParentSelection(boolean isCrossing, double crossoverRate, Crowding
             throw new IllegalArgumentException("number of children must not be negative, is " + count);
         }
         if (count > 0 && parents == 0) {
-            throw new IllegalArgumentException("there are no parents to make " + count + " children of");
+            throw new IllegalArgumentException(count + " children cannot be made without parents");
         }
     }
 

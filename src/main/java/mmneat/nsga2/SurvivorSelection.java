@@ -27,7 +27,8 @@ public final class SurvivorSelection {
      */
     public static int[] survivors(double[][] scores, int count, Crowding crowding) {
         if (count < 0 || count > scores.length) {
-            throw new IllegalArgumentException(count + " of " + scores.length + " individuals cannot survive");
+            throw new IllegalArgumentException(
+                    "number of survivors must be from 0 to " + scores.length + ", is " + count);
         }
         NondominatedSorting sorting = NondominatedSorting.of(scores, crowding);
         int[] survivors = new int[count];

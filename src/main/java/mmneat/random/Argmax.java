@@ -29,7 +29,7 @@ public final class Argmax {
             tied += value == highest ? 1 : 0;
         }
         if (tied == 0) {
-            throw new IllegalStateException("preferences are not numbers: " + Arrays.toString(values));
+            throw new IllegalStateException("preferences must be numbers, are " + Arrays.toString(values));
         }
         int chosen = random.nextInt(tied);
         int index = -1;

@@ -123,8 +123,8 @@ final class MoveQueries {
         }
         int back = MazeGraph.opposite(lastMove);
         if (graph.neighbour(node, back) < 0) {
-            throw new NullPointerException("nothing comes to node " + node + " by moving " + MOVES[lastMove]
-                    + ": no neighbour on the other side");
+            throw new NullPointerException("node " + node + " cannot be entered by moving " + MOVES[lastMove]
+                    + ": it has no neighbour on the other side");
         }
         return back;
     }

@@ -218,7 +218,7 @@ final class MazeDrawing {
             throw errorAtTile(
                     last[1] / TILE,
                     last[0] / TILE,
-                    "'" + mark + "' (" + meaning + ") stands more than once; use one tile or two neighbouring ones");
+                    "'" + mark + "' (" + meaning + ") occurs more than once; use one tile or two neighbouring tiles");
         }
         int[] pixel = {(first[0] + last[0]) / 2, (first[1] + last[1]) / 2};
         if (corridor[pixel[1]][pixel[0]] != onCorridor) {

@@ -162,14 +162,14 @@ public final class MazeGraph {
                         y[node],
                         atBorder
                                 ? "dead end: this tunnel has no opening on the other side"
-                                : "dead end: every corridor must lead on at both ends");
+                                : "dead end: both ends of a corridor must lead to other corridors");
             }
         }
         boolean[] reached = reachableFrom(pacManStart);
         for (int node = 0; node < lair(); node++) {
             if (!reached[node]) {
                 throw drawing.errorAtPixel(
-                        x[node], y[node], "unreachable corridor: no way leads here from Ms. Pac-Man's start");
+                        x[node], y[node], "unreachable corridor: there is no path from Ms. Pac-Man's start to here");
             }
         }
         if (nodeCount > MazePoses.MAXIMUM_NODES) {
@@ -177,7 +177,8 @@ public final class MazeGraph {
             throw drawing.errorAtPixel(
                     x[node],
                     y[node],
-                    "too much corridor: at most " + (MazePoses.MAXIMUM_NODES - 1) + " steps, four from tile to tile");
+                    "corridors too long: at most " + (MazePoses.MAXIMUM_NODES - 1)
+                            + " steps in all, four from tile to tile");
         }
         if (pillNodes.length == 0) {
             throw drawing.errorAtPixel(x[pacManStart], y[pacManStart], "no pills: the maze needs at least one '.'");
@@ -188,7 +189,9 @@ public final class MazeGraph {
         }
         if (junctionNodes.length == 0) {
             throw drawing.errorAtPixel(
-                    x[pacManStart], y[pacManStart], "no junction: somewhere at least three corridors must meet");
+                    x[pacManStart],
+                    y[pacManStart],
+                    "no junction: the maze needs a place where at least three corridors meet");
         }
     }
 

@@ -212,7 +212,7 @@ class CrashSafetyIT {
                 .start();
         assertThat(finish(process)).isEqualTo(1);
         assertThat(Files.readString(folder.resolve("full.txt")))
-                .contains("what was complete is kept")
+                .contains("complete generations are kept")
                 .doesNotContain("\tat ");
         assertThat(finish(start(base))).isZero();
         assertSameAsWhole(base);

@@ -37,6 +37,7 @@ class ExitGuardTest {
                 "games=5");
         assertThat(run.exitCode()).isEqualTo(2);
         assertThat(run.output()).startsWith("Leaves against Legacy, 2 of 5 games");
-        assertThat(run.errors()).contains("the program was ended in game 3 of 5; the result is of the games before");
+        assertThat(run.errors())
+                .contains("the program was ended in game 3 of 5; the result is that of the games before");
     }
 }

@@ -272,7 +272,7 @@ class EvolutionTest {
                 .hasMessage("parents");
         assertThatThrownBy(() -> Generation.bestIn(List.of(), 0))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("no individuals to choose the best of");
+                .hasMessage("the population is empty, so it has no best individual");
     }
 
     private static Recording evolve(EvolutionSettings settings, Task task) {

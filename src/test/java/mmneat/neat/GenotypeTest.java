@@ -26,7 +26,8 @@ class GenotypeTest {
         nodes.set(3, new NodeGene(nodes.get(3).innovation(), NodeType.OUTPUT, ActivationFunction.TANH, false, true));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Genotype(0, 2, network.layout(), nodes, network.links(), new int[2]))
-                .withMessage("nodes[3].fromCombiningCrossover: is true, as only entries of an archetype are");
+                .withMessage(
+                        "nodes[3].fromCombiningCrossover: must be false, as it is only for entries of an archetype");
     }
 
     @Test

@@ -177,14 +177,14 @@ class SelectionTest {
     void scoresThatCannotBeCompared_areRefused() {
         assertThatThrownBy(
                         () -> SurvivorSelection.survivors(new double[][] {{1, 2}, {1}}, 1, Crowding.WHOLE_POPULATION))
-                .hasMessage("individual 1 has 1 objectives, individual 0 has 2");
+                .hasMessage("individual 1 has 1 objectives, but individual 0 has 2");
         assertThatThrownBy(() -> NondominatedSorting.of(new double[][] {{Double.NaN}}, Crowding.PER_FRONT))
                 .hasMessage("individual 0: score of objective 0 must be a finite number, is NaN");
         assertThatThrownBy(() -> SurvivorSelection.survivors(
                         new double[][] {{1, 2}, {1, Double.NEGATIVE_INFINITY}}, 1, Crowding.WHOLE_POPULATION))
                 .hasMessage("individual 1: score of objective 1 must be a finite number, is -Infinity");
         assertThatThrownBy(() -> SurvivorSelection.survivors(new double[][] {{1}}, 2, Crowding.PER_FRONT))
-                .hasMessage("2 of 1 individuals cannot survive");
+                .hasMessage("number of survivors must be from 0 to 1, is 2");
         assertThatThrownBy(() -> new ParentSelection(true, 1.5, Crowding.PER_FRONT))
                 .hasMessage("crossoverRate must be in [0, 1], is 1.5");
     }
@@ -207,17 +207,17 @@ class SelectionTest {
         double[] origin = {0, 0};
         assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1, 2, 3}}, origin))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("scores have 3 objectives, the reference has 2");
+                .hasMessage("scores have 3 objectives, but the reference point has 2");
         assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1, 2}, {1}}, origin))
-                .hasMessage("individual 1 has 1 objectives, individual 0 has 2");
+                .hasMessage("individual 1 has 1 objectives, but individual 0 has 2");
         assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1, Double.NaN}}, origin))
                 .hasMessage("individual 0: score of objective 1 must be a finite number, is NaN");
         assertThatThrownBy(() -> Hypervolume.of(new double[][] {{1}}, new double[] {Double.NaN}))
-                .hasMessage("reference must be finite, is [NaN]");
+                .hasMessage("reference point must be finite, is [NaN]");
         assertThatThrownBy(() -> Hypervolume.of(new double[1][0], new double[0]))
-                .hasMessage("a volume needs at least one objective");
+                .hasMessage("the hypervolume needs at least one objective");
         assertThatThrownBy(() -> Hypervolume.frontSize(new double[][] {{1, 2}, {1}}))
-                .hasMessage("individual 1 has 1 objectives, individual 0 has 2");
+                .hasMessage("individual 1 has 1 objectives, but individual 0 has 2");
     }
 
     @Test
@@ -243,7 +243,7 @@ class SelectionTest {
     void negativeNumberOfSurvivors_isRefused() {
         assertThatThrownBy(() -> SurvivorSelection.survivors(new double[][] {{1}}, -1, Crowding.PER_FRONT))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("-1 of 1 individuals cannot survive");
+                .hasMessage("number of survivors must be from 0 to 1, is -1");
     }
 
     @Test
@@ -254,7 +254,7 @@ class SelectionTest {
                 .hasMessage("there are 3 parents but scores of 2");
         assertThatThrownBy(() -> childrenOf(List.of(0), two, 4)).hasMessage("there are 1 parents but scores of 2");
         assertThatThrownBy(() -> childrenOf(List.of(), new double[0][], 4))
-                .hasMessage("there are no parents to make 4 children of");
+                .hasMessage("4 children cannot be made without parents");
         assertThatThrownBy(() -> childrenOf(List.of(0, 1), two, -1))
                 .hasMessage("number of children must not be negative, is -1");
         assertThat(childrenOf(List.of(), new double[0][], 0)).isEmpty();

@@ -132,7 +132,7 @@ class MazeDrawingTest {
 
     @Test
     void startInTwoPlaces_isNamed() {
-        assertError(withRow(1, "#P........#######.........##"), "'P' (Ms. Pac-Man's start) stands more than once");
+        assertError(withRow(1, "#P........#######.........##"), "'P' (Ms. Pac-Man's start) occurs more than once");
     }
 
     @Test
@@ -181,7 +181,7 @@ class MazeDrawingTest {
         rows.set(9, "#............G.............#");
         rows.set(12, "#...........#LL#...........#");
         rows.set(20, "#............P.............#");
-        assertError(text(rows), "too much corridor: at most 4095 steps");
+        assertError(text(rows), "corridors too long: at most 4095 steps in all");
     }
 
     @Test

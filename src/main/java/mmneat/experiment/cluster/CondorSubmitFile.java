@@ -83,7 +83,7 @@ public final class CondorSubmitFile {
     /** Escapes dollar signs, which would start a macro name. */
     private static String literal(String text) {
         if (text.contains("$$(") || text.contains("$$[")) {
-            throw new UserError(text + ": HTCondor would replace what follows $$; use a value without it");
+            throw new UserError(text + ": HTCondor would replace the text after $$; use a value without $$");
         }
         return text.replace("$", "$(DOLLAR)");
     }

@@ -32,7 +32,7 @@ public record JobResources(int cpus, int memoryMebibytes, Duration time, String 
     public JobResources {
         PlainText.require("java", java);
         if (java.isBlank() || ASSIGNMENT.matcher(java).lookingAt()) {
-            throw new UserError("java=" + java + ": must be a program; a shell would not start this");
+            throw new UserError("java=" + java + ": must be the name or path of a program");
         }
         if (cpus < 1) {
             throw new UserError("cpus=" + cpus + ": a run needs at least one processor");
@@ -67,7 +67,7 @@ public record JobResources(int cpus, int memoryMebibytes, Duration time, String 
                     .plusMinutes(number(time.group(3)))
                     .plusSeconds(number(time.group(4)));
         } catch (ArithmeticException | NumberFormatException e) {
-            throw new UserError("time=" + text + ": too long", e);
+            throw new UserError("time=" + text + ": too large; give a shorter time", e);
         }
     }
 

@@ -41,7 +41,7 @@ public final class KubernetesManifest {
         PlainText.require("claim", claim);
         if (job.workingFolder().toString().contains(":")) {
             throw new UserError(job.workingFolder()
-                    + ": Kubernetes cannot mount a volume at a name with a colon; start in" + " another folder");
+                    + ": Kubernetes cannot mount a volume at a path with a colon; start in another folder");
         }
         try {
             return "# " + job.name()

@@ -91,7 +91,7 @@ public final class SlurmScript {
         if (place.contains("\\")) {
             throw new UserError(
                     place + ": Slurm cannot write its output to a name with a backslash; give base= and log="
-                            + " without one");
+                            + " without backslashes");
         }
         return place.replace("%", "%%") + "-%A_%a.log";
     }

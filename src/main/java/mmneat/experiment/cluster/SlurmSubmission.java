@@ -45,7 +45,7 @@ public final class SlurmSubmission {
             String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
             if (!process.waitFor(SECONDS, TimeUnit.SECONDS)) {
                 process.destroyForcibly();
-                throw new UserError(command.get(0) + " does not answer; is Slurm up?");
+                throw new UserError(command.get(0) + " does not answer; check that Slurm is running");
             }
             if (process.exitValue() != 0) {
                 throw new UserError(

@@ -94,7 +94,8 @@ public record EvolutionParameters(
         }
         InputSelection inputs = new InputSelection(fs, fsLinksPerOut);
         if (tug.isPresent() && !selection.isBlank()) {
-            throw new UserError("selection=" + selection + " does not go with ea=TUGNSGA2: leave one of them out");
+            throw new UserError(
+                    "selection=" + selection + " cannot be combined with ea=TUGNSGA2; leave one of them out");
         }
         OwnClasses classes = new OwnClasses(jar);
         ActivationFunction function = function(classes);
@@ -168,8 +169,8 @@ public record EvolutionParameters(
         if (!moduleGroups.isEmpty()) {
             requireGroups();
         } else if (multitaskModes > 1 && choosesModules()) {
-            throw new UserError(chooser() + " does not go with multitaskModes=" + multitaskModes
-                    + ": either the task chooses the module or the network does; leave one of them out");
+            throw new UserError(chooser() + " cannot be combined with multitaskModes=" + multitaskModes
+                    + ": either the task or the network chooses the module; leave one of them out");
         }
         int modules = Math.max(startingModes, moduleGroups.isEmpty() ? multitaskModes : sumOfGroups());
         if (disabledMode >= modules && !rates().module().canAddModules()) {
@@ -182,11 +183,12 @@ public record EvolutionParameters(
         int groups = HybridMethod.sizes(moduleGroups).size();
         if (groups != multitaskModes) {
             throw new UserError("moduleGroups=" + moduleGroups + ": names " + groups
-                    + " groups, but the division chooses among multitaskModes=" + multitaskModes);
+                    + " groups, but the division chooses among multitaskModes=" + multitaskModes
+                    + "; the two must be equal");
         }
         if (startingModes > 1) {
-            throw new UserError("moduleGroups=" + moduleGroups + " does not go with startingModes=" + startingModes
-                    + ": it says how many modules there are; leave out startingModes");
+            throw new UserError("moduleGroups=" + moduleGroups + " cannot be combined with startingModes="
+                    + startingModes + ": it sets the number of modules itself; leave out startingModes");
         }
     }
 

@@ -221,7 +221,7 @@ record GameParameters(
                 .orElseGet(() -> classes.make("pacmanMultitaskScheme", pacmanMultitaskScheme, ModuleDivision.class));
         if (division.modules() != multitaskModes) {
             throw new UserError("multitaskModes=" + multitaskModes + ": " + pacmanMultitaskScheme + " chooses among "
-                    + division.modules() + " modules");
+                    + division.modules() + " modules; give multitaskModes=" + division.modules());
         }
         return division;
     }

@@ -52,7 +52,7 @@ final class ObjectiveParameter {
         }
         GameObjective objective = GameObjective.of(classes.make(NAME, name, Objective.class));
         if (objective.name() == null || objective.name().isBlank() || !Double.isFinite(objective.worst())) {
-            throw new UserError(NAME + "=" + name + ": name() must not be empty and worst() must be finite");
+            throw new UserError(NAME + "=" + name + ": name() must not be empty, and worst() must be finite");
         }
         PlainText.require(NAME + "=" + name + ": name()", objective.name());
         return objective;

@@ -69,12 +69,12 @@ final class OwnClasses {
     private static URL url(String jar) {
         Path file = Path.of(jar);
         if (!Files.isReadable(file)) {
-            throw new UserError("jar=" + jar + ": there is no such file that can be read");
+            throw new UserError("jar=" + jar + ": the file is missing or not readable");
         }
         try {
             return file.toUri().toURL();
         } catch (MalformedURLException e) {
-            throw new UserError("jar=" + jar + ": not the name of a file", e);
+            throw new UserError("jar=" + jar + ": is not a valid file name", e);
         }
     }
 
@@ -109,7 +109,7 @@ final class OwnClasses {
         try {
             return find(parameter, className, type).getConstructor().newInstance();
         } catch (InvocationTargetException e) {
-            throw new UserError(asked + ": cannot be made: " + e.getCause(), e);
+            throw new UserError(asked + ": cannot be created: " + e.getCause(), e);
         } catch (ReflectiveOperationException e) {
             throw new UserError(asked + ": needs a public constructor without arguments", e);
         }

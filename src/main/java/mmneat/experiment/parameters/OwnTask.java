@@ -89,7 +89,7 @@ public final class OwnTask {
             }
             return type.getConstructor().newInstance();
         } catch (InvocationTargetException e) {
-            throw new UserError(name + ": cannot be made: " + e.getCause(), e);
+            throw new UserError(name + ": cannot be created: " + e.getCause(), e);
         } catch (ReflectiveOperationException e) {
             throw new UserError(
                     name + ": needs a public constructor without arguments or with a Map<String, String>", e);

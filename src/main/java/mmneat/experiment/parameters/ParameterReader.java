@@ -205,7 +205,7 @@ public final class ParameterReader {
             byte[] bytes = in.readNBytes(MAX_FILE_BYTES + 1);
             if (bytes.length > MAX_FILE_BYTES) {
                 throw new UserError(
-                        "is larger than " + (MAX_FILE_BYTES >> 20) + " MiB, so it is no file of parameters");
+                        "is larger than " + (MAX_FILE_BYTES >> 20) + " MiB, so it is not a file of parameters");
             }
             return bytes;
         }

@@ -106,7 +106,7 @@ public final class Parameters {
         try {
             return mapper.readMapAs(values, record);
         } catch (IOException e) {
-            throw new UncheckedIOException("the parameters do not fit " + record, e);
+            throw new UncheckedIOException("the parameters do not fit the record " + record, e);
         }
     }
 

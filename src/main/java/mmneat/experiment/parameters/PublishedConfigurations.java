@@ -51,7 +51,7 @@ public final class PublishedConfigurations {
         String resource = resource(version, method);
         try (InputStream stream = PublishedConfigurations.class.getResourceAsStream(resource)) {
             if (stream == null) {
-                throw new UserError("method=" + method + " does not go with task=" + version.label()
+                throw new UserError("method=" + method + " cannot be combined with task=" + version.label()
                         + "; its methods are " + String.join(", ", methodsOf(version)));
             }
             Map<String, String> settings =

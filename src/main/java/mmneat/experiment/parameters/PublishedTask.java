@@ -60,8 +60,8 @@ public final class PublishedTask {
         if (published.contains(task)) {
             if (task.equals(TaskVersion.BLENDED.label()) && imprisoned
                     || task.equals(TaskVersion.INTERLEAVED.label()) && !imprisoned) {
-                throw new UserError("imprisonedWhileEdible=" + imprisoned + " does not go with task=" + task
-                        + ": it is what makes the difference between blended and interleaved");
+                throw new UserError("imprisonedWhileEdible=" + imprisoned + " contradicts task=" + task
+                        + ": it is the difference between blended and interleaved; leave it out");
             }
         } else if (version.isEmpty() && !task.contains(".") && !parameters.isGiven("jar")) {
             throw new UserError("task=" + task + ": must be one of " + String.join(", ", published)

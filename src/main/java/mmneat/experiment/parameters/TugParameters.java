@@ -104,8 +104,8 @@ record TugParameters(
      */
     private static double[] ofEach(int objectives, String choice, String name, double[] values) {
         if (objectives > values.length) {
-            throw new UserError(choice + "=true: the task has " + objectives + " objectives, but the last parameter is "
-                    + name + (values.length - 1));
+            throw new UserError(choice + "=true: supports at most " + values.length + " objectives (" + name + "0 to "
+                    + name + (values.length - 1) + "), but the task has " + objectives);
         }
         return Arrays.copyOf(values, objectives);
     }

@@ -68,8 +68,8 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
     /** Checks that the names of the last run's files are not too long, before any run is started. */
     private static void requireNames(String saveTo, String log, int lastRun, Parameters parameters) {
         if (log.matches(".*[/\\\\].*")) {
-            throw new UserError("log=" + log + ": names of files begin with it, so it must not contain / or \\;"
-                    + " base=FOLDER says where they are");
+            throw new UserError("log=" + log + ": must not contain / or \\, because names of files begin with it;"
+                    + " choose the folder with base=FOLDER");
         }
         int ending = RunLayout.longestEnding(parameters.integer("maxGens"));
         boolean isTooLong = bytes(log + lastRun + "_") + ending > LONGEST_NAME
@@ -77,8 +77,8 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
         if (isTooLong) {
             String name =
                     parameters.isGiven("log") || !parameters.isGiven("saveTo") ? "log=" + log : "saveTo=" + saveTo;
-            throw new UserError(
-                    name + ": too long; the names of the run's files would have more than " + LONGEST_NAME + " bytes");
+            throw new UserError(name + ": too long, the names of the run's files would have more than " + LONGEST_NAME
+                    + " bytes; give a shorter name");
         }
     }
 
@@ -92,7 +92,7 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
                 .toList();
         if (given.size() > 1) {
             throw new UserError(
-                    "'" + given.get(0) + "' and '" + given.get(1) + "' do not go together: give one of them");
+                    "'" + given.get(0) + "' and '" + given.get(1) + "' cannot be combined; give one of them");
         }
         if (parameters.isGiven("run")) {
             return List.of(parameters.integer("run"));

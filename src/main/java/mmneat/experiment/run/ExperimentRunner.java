@@ -82,7 +82,7 @@ public final class ExperimentRunner {
         try {
             DurableFiles.makeFolder(base);
         } catch (IOException e) {
-            throw new UserError(base + ": cannot be made: " + FileErrors.sentence(e), e);
+            throw new UserError(base + ": cannot be created: " + FileErrors.sentence(e), e);
         }
         boolean isNew = plan.runs().stream().anyMatch(run -> !Files.exists(run.directory()));
         if (isNew && !Files.isWritable(base)) {

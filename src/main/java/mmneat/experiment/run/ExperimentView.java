@@ -158,7 +158,7 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
             }
         } catch (JacksonException e) {
             throw new UserError(
-                    file + ": is damaged; remove it, it only says which runs were asked for and is made again", e);
+                    file + ": is damaged; remove it (it only lists the requested runs and is written again)", e);
         }
         List<RunView> waiting = new ArrayList<>();
         for (int run : asked.runs()) {

@@ -293,6 +293,6 @@ final class RunWorker {
 
     private String fileMessage(IOException e) {
         return "cannot write or read in " + run.directory() + ": " + FileErrors.sentence(e)
-                + "; what was complete is kept: mend it and give the same command again";
+                + "; complete generations are kept: solve this problem, then give the same command again";
     }
 }

@@ -97,7 +97,7 @@ public record Checkpoint(
             return checkpoint;
         } catch (JsonProcessingException e) {
             throw new IOException(
-                    "it is no checkpoint of this version of the program: " + PlainText.shown(JsonProblem.of(e)), e);
+                    "it is not a checkpoint of this version of the program: " + PlainText.shown(JsonProblem.of(e)), e);
         }
     }
 }

@@ -76,8 +76,8 @@ public final class CheckpointCheck {
     private static void requireNames(Collection<String> names, Predicate<String> isKnown, Path directory) {
         names.stream().filter(name -> !isKnown.test(name)).findFirst().ifPresent(name -> {
             throw new UserError(
-                    directory + ": its checkpoint names '" + name + "', which is no file of this run; the folder"
-                            + " was changed by hand, and nothing in it is touched: restore the checkpoint or give another folder with"
+                    directory + ": its checkpoint names '" + name + "', which is not a file of this run; the folder"
+                            + " was changed by hand and is left as it is: restore the checkpoint or give another folder with"
                             + " base=FOLDER");
         });
     }

@@ -95,7 +95,7 @@ public final class CheckpointFile {
             if (!found.isEmpty()) {
                 throw new UserError(directory + ": holds files of a run (" + found.get(0)
                         + (found.size() > 1 ? " and " + (found.size() - 1) + " more" : "")
-                        + ") but no checkpoint to continue it from, and nothing in it is replaced: give another folder with"
+                        + ") but no checkpoint to continue it from, and no file in it is replaced: give another folder with"
                         + " base=FOLDER or saveTo=NAME, or move these files away");
             }
         }

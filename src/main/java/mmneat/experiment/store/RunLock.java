@@ -63,8 +63,8 @@ public final class RunLock implements AutoCloseable {
 
         static HeldException byNobody(Path lock) {
             return new HeldException(
-                    lock + " was deleted while the run was worked at, so that others could have begun to;"
-                            + " give the same command again to go on");
+                    lock + " was deleted during the run, so another process may have started the same run;"
+                            + " to continue, give the same command again");
         }
     }
 

@@ -35,7 +35,7 @@ public final class GenotypeFiles {
             if (text.startsWith("<")) {
                 return GenotypeXml.read(text);
             }
-            throw new GenotypeFormatException("is neither a genotype in JSON nor one of the original's XML files");
+            throw new GenotypeFormatException("is neither a genotype in JSON nor an XML file of the original");
         } catch (GenotypeFormatException e) {
             throw new GenotypeFormatException(file + ": " + e.getMessage(), e);
         } catch (CharacterCodingException e) {

@@ -158,7 +158,7 @@ public final class GenotypeJson {
             return "unknown field";
         }
         if (e instanceof JsonEOFException || e.getCause() instanceof JsonEOFException) {
-            return "the text ends too early";
+            return "the file ends too early";
         }
         String what = e.getOriginalMessage().lines().findFirst().orElse("not a genotype");
         if (what.startsWith("Missing required")) {

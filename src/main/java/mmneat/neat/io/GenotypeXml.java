@@ -203,7 +203,7 @@ public final class GenotypeXml {
         int function = node.integer("ftype");
         if (function > MAX_FUNCTION) {
             throw new GenotypeFormatException(place + ".ftype: is " + function
-                    + "; the activation functions that later versions of the original added are not supported");
+                    + "; activation functions of later versions of the original are not supported");
         }
         return ActivationFunction.ofCode(function);
     }

@@ -223,7 +223,7 @@ public final class NetworkState {
     public double nodeActivation(int position) {
         if (!network.hasNode(position)) {
             throw new IllegalArgumentException(
-                    "node " + position + " reaches no output and was left out; compileWithAllNodes keeps it");
+                    "node " + position + " has no path to an output and was left out; compileWithAllNodes keeps it");
         }
         int slot = network.slotOfNode[position];
         if (isLazy(slot)) {

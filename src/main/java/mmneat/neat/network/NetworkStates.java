@@ -97,8 +97,8 @@ public final class NetworkStates {
 
     private void requireStates(int which) {
         if (which >>> states.length != 0) {
-            throw new IllegalArgumentException(
-                    "there are " + states.length + " states, asked for those of bits " + Integer.toBinaryString(which));
+            throw new IllegalArgumentException("the bits " + Integer.toBinaryString(which)
+                    + " name a state that does not exist; there are " + states.length + " states");
         }
     }
 

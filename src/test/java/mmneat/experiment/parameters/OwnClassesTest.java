@@ -90,11 +90,11 @@ class OwnClassesTest {
                 "ownSensors=java.lang.String");
         assertMistake(
                 "ownSensors=" + Broken.class.getName()
-                        + ": cannot be made: java.lang.IllegalStateException: no day for sensing",
+                        + ": cannot be created: java.lang.IllegalStateException: no day for sensing",
                 "task=blended",
                 "ownSensors=" + Broken.class.getName());
         assertMistake(
-                "jar=none.jar: there is no such file that can be read",
+                "jar=none.jar: the file is missing or not readable",
                 "task=blended",
                 "jar=none.jar",
                 "ownSensors=my.NearExit");

@@ -167,20 +167,20 @@ class ForeignFolderTest {
     void namesThatAreNotFilesOfTheRun_areRefused_evenWithAnIntactPreviousCheckpoint(String name) throws Exception {
         byte[] whole = Files.readAllBytes(newest());
         change(newest(), edit("log", c -> logs(c).put(name, 0)));
-        requireRefused("is no file of this run");
+        requireRefused("is not a file of this run");
         Files.write(newest(), whole);
         change(newest(), edit("unforced", c -> unsynced(c)
                 .putObject(name)
                 .put("from", 0)
                 .put("to", 1)
                 .put("checksum", 1)));
-        requireRefused("is no file of this run");
+        requireRefused("is not a file of this run");
     }
 
     @Test
     void logsOfAnotherFile_areRefused() throws Exception {
         change(newest(), edit("champion as log", c -> logs(c).put("champion.json", 0)));
-        requireRefused("'champion.json', which is no file of this run");
+        requireRefused("'champion.json', which is not a file of this run");
     }
 
     @Test

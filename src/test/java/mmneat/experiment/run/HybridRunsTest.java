@@ -163,7 +163,7 @@ class HybridRunsTest {
                 "task=blended method=H20 | or a hybrid such as H21",
                 "task=blended method=H21 moduleGroups=2,1,1 | names 3 groups, but the division chooses among multitaskModes=2",
                 "task=blended method=H21 moduleGroups=x | moduleGroups=x: must be the number of modules of each group",
-                "task=blended method=H21 startingModes=2 | does not go with startingModes=2",
+                "task=blended method=H21 startingModes=2 | cannot be combined with startingModes=2",
                 "task=blended method=H21 multitaskModes=1 | names 2 groups, but the division chooses among multitaskModes=1",
                 "task=my.Task method=H21 | needs a human-specified task division",
             })

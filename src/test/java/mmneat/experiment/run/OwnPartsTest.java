@@ -215,7 +215,7 @@ class OwnPartsTest {
                 "activation=my.Log");
         assertMistake("two objectives are called Survival", "objectives=Survival,Survival");
         assertMistake(
-                "selection=BestSum does not go with ea=TUGNSGA2: leave one of them out",
+                "selection=BestSum cannot be combined with ea=TUGNSGA2; leave one of them out",
                 "selection=BestSum",
                 "ea=TUGNSGA2");
         assertThatThrownBy(() -> run("mistake", 1, "objectives=PilScore"))

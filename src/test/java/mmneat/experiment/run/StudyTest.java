@@ -93,7 +93,7 @@ class StudyTest {
 
     @Test
     void impossibleRequests_areOneClearLine() {
-        requireMistake("method=MT does not go with task=blended; its methods are", "task=blended", "method=MT");
+        requireMistake("method=MT cannot be combined with task=blended; its methods are", "task=blended", "method=MT");
         requireMistake("task=interleaved has no method MT3", "task=interleaved,isolated", "method=MT3,MT2");
         requireMistake("method=4M: must be one of 1M", "task=blended", "method=4M");
         requireMistake("method=4M: must be one of 1M", "task=blended,isolated", "method=4M,1M");
@@ -109,7 +109,8 @@ class StudyTest {
     @Test
     void impossibleExperiment_isAnError_beforeAnyJobIsSubmitted() {
         requireMistake("none.txt: cannot be read", "task=isolated", "mazePowerPillGhostMapping=none.txt");
-        requireMistake("mmdRate=0.2 does not go with multitaskModes=2", "task=interleaved", "method=MT", "mmdRate=0.2");
+        requireMistake(
+                "mmdRate=0.2 cannot be combined with multitaskModes=2", "task=interleaved", "method=MT", "mmdRate=0.2");
         requireMistake("disabledMode=2: the networks have modules 0 to 1", "task=blended", "disabledMode=2");
         requireMistake(
                 "softmaxTemperature=0: must be positive",

@@ -97,7 +97,7 @@ class GenotypeJsonTest {
         String json = GenotypeJson.write(NETWORK);
 
         assertThatThrownBy(() -> GenotypeJson.read(json.substring(0, json.indexOf("links"))))
-                .hasMessageMatching("(\\w+: )?the text ends too early \\(line \\d+, column \\d+\\)");
+                .hasMessageMatching("(\\w+: )?the file ends too early \\(line \\d+, column \\d+\\)");
     }
 
     @ParameterizedTest
@@ -143,7 +143,7 @@ class GenotypeJsonTest {
 
         assertThatThrownBy(() -> GenotypeFiles.read(file))
                 .isInstanceOf(GenotypeFormatException.class)
-                .hasMessage(file + ": is neither a genotype in JSON nor one of the original's XML files");
+                .hasMessage(file + ": is neither a genotype in JSON nor an XML file of the original");
     }
 
     @Test

@@ -149,7 +149,7 @@ class GenotypeXmlTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
                     name="bias" type="double" value="0.0" | name="bias" type="double" value="0.5" | nodes[0].bias: is 0.5; neurons with a bias, a feature of later versions of the original, are not supported
-                    name="ftype" type="int" value="1"     | name="ftype" type="int" value="6"     | nodes[0].ftype: is 6; the activation functions that later versions of the original added are not supported
+                    name="ftype" type="int" value="1"     | name="ftype" type="int" value="6"     | nodes[0].ftype: is 6; activation functions of later versions of the original are not supported
                     genotypes.TWEANNGenotype" id="0"      | genotypes.HyperNEATCPPNGenotype" id="0" | document: must be a TWEANNGenotype, is a HyperNEATCPPNGenotype: networks that a CPPN makes (HyperNEAT) are not supported
                     """)
     void featuresOfLaterVersions_areRefused_byName(String good, String bad, String message) {
@@ -176,7 +176,7 @@ class GenotypeXmlTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
                     name="numIn" type="int" value="3"      | name="numIn" type="int" value="three"   | numIn: must be a whole number, is "three"
-                    name="numIn" type="int" value="3"      | name="numIn" type="int" value="4"       | nodes: 7 are too few for 4 inputs and 4 outputs
+                    name="numIn" type="int" value="3"      | name="numIn" type="int" value="4"       | nodes: 7 are not enough for 4 inputs and 4 outputs
                     name="numIn"                           | name="inputs"                           | unknown field inputs
                     name="numModes" type="int" value="2"   | name="numModes" type="int" value="3"    | outputs: 4 cannot be 3 modules
                     name="ntype" type="int" value="2"      | name="ntype" type="int" value="9"       | node type must be 0, 1 or 2, is 9
@@ -245,6 +245,7 @@ class GenotypeXmlTest {
         String xml = GenotypeXml.write(NETWORK).replaceFirst(shadow.formatted(false), shadow.formatted(true));
         assertThatThrownBy(() -> GenotypeXml.read(xml))
                 .isInstanceOf(GenotypeFormatException.class)
-                .hasMessage("nodes[0].fromCombiningCrossover: is true, as only entries of an archetype are");
+                .hasMessage(
+                        "nodes[0].fromCombiningCrossover: must be false, as it is only for entries of an archetype");
     }
 }

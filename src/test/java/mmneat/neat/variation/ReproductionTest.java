@@ -57,7 +57,7 @@ class ReproductionTest {
         GenotypeDraft draft = GenotypeDraft.of(own);
         new SpliceNeuronMutation(ActivationFunction.TANH).apply(draft, other, random);
         Genotype foreign = draft.finish();
-        String message = "genotype 7 is not of this pool: nodes[4] of innovation 0 is not in its archetype";
+        String message = "genotype 7 does not belong to this pool: nodes[4] of innovation 0 is not in its archetype";
         assertRefused(foreign, message);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Reproduction(SHARING_ALL, pool).fromOne(foreign, random))
@@ -71,7 +71,9 @@ class ReproductionTest {
         GenotypeDraft draft = GenotypeDraft.of(own);
         LinkGene link = draft.links().get(0);
         draft.links().set(0, link.withInnovation(12));
-        assertRefused(draft.finish(), "genotype 7 is not of this pool: a link has innovation 12, the pool's next is 0");
+        assertRefused(
+                draft.finish(),
+                "genotype 7 does not belong to this pool: a link has innovation 12, but the pool's next innovation is 0");
     }
 
     @Test
