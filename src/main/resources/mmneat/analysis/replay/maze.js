@@ -58,7 +58,7 @@ class MazeView {
       for (const next of [maze.right[node], maze.down[node]]) {
         if (next < 0) continue;
         if (Math.abs(maze.x[next] - maze.x[node]) + Math.abs(maze.y[next] - maze.y[node]) > 8) {
-          // A tunnel: both mouths are drawn out of the picture.
+          // A tunnel: both ends are drawn beyond the border of the picture.
           for (const end of [node, next]) {
             corridors.moveTo(maze.x[end], maze.y[end]);
             corridors.lineTo(maze.x[end] + (maze.x[end] < 54 ? -10 : 10), maze.y[end]);
@@ -162,7 +162,7 @@ class MazeView {
   }
 }
 
-/** The middle of the lair: its node stands a little aside, the mazes are symmetric. */
+/** The middle of the lair. The mazes are symmetric, but the lair's node is slightly off the middle. */
 function lairPlace(maze) { return [(Math.min(...maze.x) + Math.max(...maze.x)) / 2, maze.y[maze.lair]]; }
 
 /** The chapter (a maze of a game) that a step belongs to. */
@@ -172,7 +172,7 @@ function chapterAt(recording, step) {
   return found;
 }
 
-/** Nodes of the pills and power pills that are left at a step. */
+/** Nodes of the pills and power pills that remain at a step. */
 function pillsAt(recording, chapter, step) {
   if (recording.pillsAtStep === step) return recording.pillsLeft;
   const maze = recording.mazeOf[chapter.maze], { eaten, node } = recording.column;

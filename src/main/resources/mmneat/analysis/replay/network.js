@@ -11,7 +11,7 @@ class NetworkView {
     this.lastOpen = DIRECTION_NAMES.map((_, direction) => this.listLastOpen(direction));
   }
 
-  /** Per step the last step up to it in which a direction is open; before the first such step that first one. */
+  /** For each step, the latest step up to it in which the direction is open; if there is none yet, the first such step. */
   listLastOpen(direction) {
     const open = this.recording.column["preference" + direction], last = new Uint32Array(open.length);
     let found = Math.max(0, open.findIndex(value => value !== WALL));
@@ -19,10 +19,10 @@ class NetworkView {
     return last;
   }
 
-  /** The step whose evaluation the network shows: in front of a wall the last one in which the direction was open. */
+  /** The step whose evaluation is shown. If the direction is a wall, the last step in which it was open. */
   networkStep(direction, step) { return this.lastOpen[direction][step]; }
 
-  /** The direction whose network is shown: the chosen one unless the reader picked another. */
+  /** The direction whose network is shown: the direction of the move, unless the reader selected another. */
   direction(step) {
     if (this.follow >= 0) return this.follow;
     const { choice, module } = this.recording.column;
@@ -64,7 +64,7 @@ class NetworkView {
     at.x = x; at.y = y;
   }
 
-  /** The outputs of a module stand together in a box, as in the paper's Figure 1. */
+  /** Places the outputs of each module in a box, as in the paper's Figure 1. */
   placeOutputs(x, y, inputs, at) {
     const slot = (at.height - at.top) / this.network.modules.length;
     at.boxes = this.network.modules.map((_, module) => {
@@ -76,7 +76,7 @@ class NetworkView {
     });
   }
 
-  /** Hidden nodes stand at their layer; vertically in the middle of their neighbours, pushed apart where they would touch. */
+  /** Places hidden nodes by layer (x) and at the mean of their neighbours (y), moved apart where they would overlap. */
   placeHidden(x, y, inputs, at) {
     const hidden = this.network.nodes.map((n, i) => i).filter(i => this.network.nodes[i].kind === "HIDDEN");
     const ends = hidden.map(i => this.network.links.flatMap(l =>
@@ -237,7 +237,7 @@ class NetworkView {
     c.fill(); c.stroke();
   }
 
-  /** The values under the pointer, or null. */
+  /** The text with the values at the pointer, or null. */
   describe(px, py, step) {
     const { at, network } = this;
     if (!at) return null;
@@ -254,7 +254,7 @@ class NetworkView {
   }
 }
 
-/** The text, shortened to a width. */
+/** Shortens a text to a width. */
 function fit(c, text, width) {
   if (c.measureText(text).width <= width) return text;
   let shorter = text;

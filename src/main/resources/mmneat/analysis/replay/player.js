@@ -39,7 +39,7 @@ class Player {
     requestAnimationFrame(next => this.frame(next));
   }
 
-  /** Goes on; where a life or a game ends it holds for a moment, so that the reason can be read. */
+  /** Advances the position. At the end of a life or a game, it pauses briefly so that the message can be read. */
   advance(steps, now) {
     const to = Math.min(this.last, this.at + steps);
     const event = this.recording.events.find(e => e.step > this.at && e.step <= to && e.step < this.last);
@@ -121,7 +121,7 @@ class Player {
     this.byId("outcome").hidden = !event;
     if (!event) return;
     put("outcome", event.text);
-    // Away from where it happened.
+    // The message appears in the half of the maze where the event did not happen.
     const { y } = this.recording.mazeOf[chapter.maze];
     this.byId("outcome").classList.toggle("high", y[column.node[step]] > Math.max(...y) / 2);
   }

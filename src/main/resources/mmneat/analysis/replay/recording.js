@@ -1,4 +1,4 @@
-/* The recording: columns of differences, packed with zlib; see ReplayRecorder. Gives one typed array per quantity. */
+/* Unpacks the recording: columns of differences, compressed with zlib (see ReplayRecorder), to one array per quantity. */
 const UP = 0, RIGHT = 1, DOWN = 2, LEFT = 3, WALL = 255;
 
 async function unpack(base64) {
@@ -47,7 +47,7 @@ function gameStarts({ chapters }) {
   return chapters.filter((c, i) => i === 0 || c.game !== chapters[i - 1].game).map(c => c.step);
 }
 
-/** Ghosts eaten up to each step, counted anew for each game of the recording. */
+/** Ghosts eaten up to each step; the count restarts with each game of the recording. */
 function countGhosts(recording) {
   const { steps, column } = recording, eaten = new Uint16Array(steps), starts = new Set(gameStarts(recording));
   for (let i = 1; i < steps; i++) {
@@ -60,7 +60,7 @@ function countGhosts(recording) {
   return eaten;
 }
 
-/** Points up to each step, those of the games before included. */
+/** Points up to each step, including those of earlier games. */
 function addGames({ steps, column, gameStarts }) {
   const total = new Uint32Array(steps), starts = new Set(gameStarts);
   let before = 0;
@@ -71,14 +71,14 @@ function addGames({ steps, column, gameStarts }) {
   return total;
 }
 
-/** Steps in which a life is lost and the game goes on: the last one before Ms. Pac-Man starts again. */
+/** Steps in which a life is lost and the game continues: the last step before Ms. Pac-Man starts again. */
 function findDeaths({ steps, column, gameStarts }) {
   const starts = new Set(gameStarts), deaths = [];
   for (let i = 1; i < steps - 1; i++) if (!starts.has(i) && column.lives[i] < column.lives[i - 1] && !starts.has(i + 1)) deaths.push(i - 1);
   return deaths;
 }
 
-/** What deserves a word: ends of games and lives lost, by step. */
+/** Events that the page announces, by step: ends of games and lost lives. */
 function listEvents({ steps, column, deaths, outcomes, gameStarts, total }) {
   const games = gameStarts.length;
   const ends = outcomes.map(o => ({
@@ -94,7 +94,7 @@ function listEvents({ steps, column, deaths, outcomes, gameStarts, total }) {
 
 const moduleColour = module => module === WALL ? "#6b7496" : MODULE_COLOURS[module % MODULE_COLOURS.length];
 
-/** Makes a canvas as fine as the screen; returns its context in CSS pixels, or null while it is not shown. */
+/** Sets a canvas to the screen's resolution. Returns its context, scaled to CSS pixels, or null while it is hidden. */
 function sharp(canvas) {
   const ratio = window.devicePixelRatio || 1, box = canvas.getBoundingClientRect();
   if (!box.width || !box.height) return null;

@@ -1,7 +1,7 @@
-/** Below the strip stand the names of its parts. */
+/** Height of the names below the strip, in CSS pixels. */
 const NAMES_HEIGHT = 16;
 
-/* The whole game in a strip: the module in charge, when ghosts were edible, the score; it is also the scrubber. */
+/* The time line: module in charge, edible ghosts and score over the whole game. Dragging in it moves the position. */
 class Timeline {
   constructor(recording, canvas) {
     this.recording = recording;
@@ -55,7 +55,7 @@ class Timeline {
     this.paintNames(c, width, height);
   }
 
-  /** A life lost. */
+  /** Marks a lost life. */
   cross(c, x, y) {
     for (const [colour, line] of [["#04060d", 5], ["#ff6048", 2.2]]) {
       c.strokeStyle = colour; c.lineWidth = line; c.lineCap = "round";
@@ -63,7 +63,7 @@ class Timeline {
     }
   }
 
-  /** Below each part the longest of its names that fits. */
+  /** Writes below each part the longest of its names that fits. */
   paintNames(c, width, height) {
     const { chapters } = this.recording;
     c.font = "11px system-ui, sans-serif"; c.textBaseline = "middle"; c.textAlign = "left"; c.fillStyle = "#aab3d6";
