@@ -328,7 +328,7 @@ class ExecutorTest {
     @Test
     void recordingThatIsNone_isRefusedWithAReason() throws IOException {
         assertThatThrownBy(() -> new Recording(List.of())).hasMessage("the recording is empty");
-        assertThatThrownBy(() -> new Recording(List.of("a,b"))).hasMessageContaining("its first line has 2");
+        assertThatThrownBy(() -> new Recording(List.of("a,b"))).hasMessageContaining("but the first line has 2");
         String state = new Game(0).getGameState();
         assertThatThrownBy(() -> new Recording(List.of(state, "a,b"))).hasMessageContaining("state 2 has 2 fields");
         Path binary = Files.write(folder.resolve("binary"), new byte[] {(byte) 0xff, (byte) 0xfe, 0, 1});

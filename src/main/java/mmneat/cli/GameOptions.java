@@ -135,7 +135,7 @@ final class GameOptions {
         try (Reader text = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
             return GhostLocations.read(file.toString(), text);
         } catch (IOException e) {
-            throw new UserError("ghostLocations: cannot read " + file + ": " + FileErrors.reason(e), e);
+            throw new UserError("ghostLocations=" + file + ": cannot be read: " + FileErrors.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError("ghostLocations: " + e.getMessage(), e);
         }
@@ -149,7 +149,7 @@ final class GameOptions {
         try {
             return Mazes.of(List.of(MazeTables.read(file)));
         } catch (IOException e) {
-            throw new UserError("maze: cannot read " + file + ": " + FileErrors.reason(e), e);
+            throw new UserError("maze=" + file + ": cannot be read: " + FileErrors.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError(e.getMessage(), e);
         }

@@ -105,7 +105,7 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
             recording.requireContinuous();
             return recording;
         } catch (IOException e) {
-            throw new UserError("cannot read " + file + ": " + FileErrors.reason(e), e);
+            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
         } catch (IllegalArgumentException e) {
             throw new UserError(file + ": " + e.getMessage(), e);
         }

@@ -174,16 +174,16 @@ class PlayCommandTest extends CommandTest {
         assertMistake("must return moves for Ms. Pac-Man", "play", "pacman=Legacy");
         assertMistake("games=0: must be a whole number, at least 1", "play", "games=0");
         assertMistake("rules=hard: must be one of", "play", "rules=hard");
-        assertMistake("maze: cannot read none.txt: there is no such file", "play", "maze=none.txt");
+        assertMistake("maze=none.txt: cannot be read: there is no such file", "play", "maze=none.txt");
         assertMistake(
-                "ghostLocations: cannot read none.txt", "play", "rules=isolatedGhosts", "ghostLocations=none.txt");
+                "ghostLocations=none.txt: cannot be read", "play", "rules=isolatedGhosts", "ghostLocations=none.txt");
         assertMistake("only one game can be recorded", "play", "record=" + folder.resolve("x"), "games=2");
         assertMistake(": this is a folder; name a file in it", "play", "record=" + folder);
         assertMistake("'games' has no value; write games=...", "play", "games");
         assertMistake("needs view=true", "play", "pacman=Human");
         assertMistake("there is no file or folder", "play", "classpath=none.jar", "pacman=my.Entry");
         assertMistake("write replay FILE", "replay");
-        assertMistake("cannot read none.txt: there is no such file", "replay", "none.txt");
+        assertMistake("none.txt: cannot be read: there is no such file", "replay", "none.txt");
         Path text = Files.writeString(folder.resolve("text.txt"), "hello\n");
         assertMistake("not a recording", "replay", text.toString());
         Path broken = folder.resolve("broken.txt");

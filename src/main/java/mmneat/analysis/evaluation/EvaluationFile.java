@@ -144,6 +144,6 @@ final class EvaluationFile implements AutoCloseable {
     }
 
     private UserError failure(IOException e) {
-        return new UserError(file + ": cannot be written or read: " + FileErrors.reason(e), e);
+        return new UserError(file + ": cannot be read or written: " + FileErrors.reason(e), e);
     }
 }

@@ -64,8 +64,8 @@ public final class EvaluationReport implements EvaluationObserver {
     public static Path write(Champion champion, MsPacManTaskSettings settings, int games) {
         Path folder = champion.runFolder()
                 .orElseThrow(() ->
-                        new UserError(champion.file() + ": is not in the folder of a run; the original's report uses"
-                                + " the seed of the run and is written into its folder"));
+                        new UserError(champion.file() + ": is not in the folder of a run, whose seed the original's"
+                                + " report uses; give the folder of a run"));
         String seed = champion.parameters().getOrDefault("randomSeed", "0");
         Path file = folder.resolve(RunLayout.evaluationReport(
                 RunLayout.prefixIn(folder), champion.genotype().id()));

@@ -96,7 +96,7 @@ public record TaskDivision(String name, List<TaskPredicate> tasks) {
         } catch (IllegalArgumentException e) {
             throw new UserError(
                     "predicates=" + name + ": must be two or more of " + String.join(", ", KNOWN.keySet())
-                            + ", separated by commas, or a division among modules, AnyGhostEdible for example",
+                            + ", separated by commas, or a division among modules such as AnyGhostEdible",
                     e);
         }
         List<TaskPredicate> tasks = new ArrayList<>();

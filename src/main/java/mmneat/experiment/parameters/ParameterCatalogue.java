@@ -68,7 +68,7 @@ public final class ParameterCatalogue {
         if (parameter == null) {
             String nearest = NearestName.suggestion(name, parameters.keySet());
             throw new UserError("unknown parameter '" + name + "'"
-                    + (nearest.isEmpty() ? "; 'params' lists all that there are" : nearest));
+                    + (nearest.isEmpty() ? "; 'params' lists all parameters" : nearest));
         }
         return parameter;
     }
