@@ -46,8 +46,8 @@ public record Recording(List<String> states) {
         }
         int fields = fields(states.get(0));
         if (fields != COMPETITION_FIELDS && fields != MM_NEAT_FIELDS) {
-            throw new IllegalArgumentException("not a recording: lines of a recording have " + COMPETITION_FIELDS + " or "
-                    + MM_NEAT_FIELDS + " fields, but the first line has " + fields);
+            throw new IllegalArgumentException("not a recording: lines of a recording have " + COMPETITION_FIELDS
+                    + " or " + MM_NEAT_FIELDS + " fields, but the first line has " + fields);
         }
         for (int i = 0; i < states.size(); i++) {
             if (fields(states.get(i)) != fields) {

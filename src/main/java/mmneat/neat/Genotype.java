@@ -171,8 +171,8 @@ public final class Genotype {
 
     private void requireNodesInOrder() {
         if (inputs < 1 || nodes.size() < (long) inputs + layout.outputs()) {
-            throw new IllegalArgumentException("nodes: " + nodes.size() + " are not enough for " + inputs
-                    + " inputs and " + layout.outputs() + " outputs");
+            throw new IllegalArgumentException("nodes: " + nodes.size() + " are too few for " + inputs + " inputs and "
+                    + layout.outputs() + " outputs");
         }
         Set<Long> innovations = new HashSet<>(nodes.size() * 2);
         for (int i = 0; i < nodes.size(); i++) {

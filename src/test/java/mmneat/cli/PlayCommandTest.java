@@ -241,8 +241,8 @@ class PlayCommandTest extends CommandTest {
         assertMistake(
                 "ghosts=x has no effect here: only the isolated version", "watch", "champion=blended", "ghosts=x");
         assertMistake("ghosts=x has no effect here", "tasks", "task=blended", "ghosts=x");
-        assertMistake("ghosts=x: there is no such file", "tasks", "task=isolated", "ghosts=x");
-        assertMistake("ghosts=x: there is no such file", "watch", "champion=isolated", "ghosts=x");
+        assertMistake("ghosts=x: the file is missing or not readable", "tasks", "task=isolated", "ghosts=x");
+        assertMistake("ghosts=x: the file is missing or not readable", "watch", "champion=isolated", "ghosts=x");
         assertMistake("seed=3 has no effect here", "evaluate", "champion=blended", "report=true", "seed=3");
     }
 

@@ -176,7 +176,7 @@ class GenotypeXmlTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
                     name="numIn" type="int" value="3"      | name="numIn" type="int" value="three"   | numIn: must be a whole number, is "three"
-                    name="numIn" type="int" value="3"      | name="numIn" type="int" value="4"       | nodes: 7 are not enough for 4 inputs and 4 outputs
+                    name="numIn" type="int" value="3"      | name="numIn" type="int" value="4"       | nodes: 7 are too few for 4 inputs and 4 outputs
                     name="numIn"                           | name="inputs"                           | unknown field inputs
                     name="numModes" type="int" value="2"   | name="numModes" type="int" value="3"    | outputs: 4 cannot be 3 modules
                     name="ntype" type="int" value="2"      | name="ntype" type="int" value="9"       | node type must be 0, 1 or 2, is 9
