@@ -15,7 +15,7 @@ public final class Dominance {
      * Whether {@code a} is at least as good as {@code b} in every objective and better in one. Equal vectors do not
      * dominate each other.
      *
-     * @throws IllegalArgumentException if the vectors differ in length or hold something that is not a number
+     * @throws IllegalArgumentException if the vectors differ in length or contain NaN
      */
     public static boolean dominates(double[] a, double[] b) {
         if (a.length != b.length) {

@@ -12,7 +12,7 @@ import java.util.function.Function;
 
 /**
  * A maze and everything that is known about it in advance. Immutable, shared by any number of games and threads; the
- * larger tables are made when they are first asked for.
+ * larger tables are computed on the first request.
  */
 public final class MazeTables {
 
@@ -84,7 +84,7 @@ public final class MazeTables {
         return graph;
     }
 
-    /** Where steps lead. */
+    /** The table of the steps of ghosts and Ms. Pac-Man. */
     public MazePoses poses() {
         return poses;
     }

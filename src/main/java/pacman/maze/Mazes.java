@@ -23,7 +23,7 @@ public final class Mazes {
     }
 
     /**
-     * Mazes of one's own.
+     * Mazes read from drawings of your own.
      *
      * @throws IllegalArgumentException if there is none
      */

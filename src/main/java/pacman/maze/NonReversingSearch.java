@@ -3,7 +3,7 @@ package pacman.maze;
 import java.util.Arrays;
 
 /**
- * The original's A* search for a path without turning back.
+ * The competition's A* search for a path without turning back.
  *
  * <p>Its record of how a node was reached is kept per node, not per node and direction, so that the path found is not
  * always the shortest; and the order in which equal candidates leave the open list decides between equal paths. Both

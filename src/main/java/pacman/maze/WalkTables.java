@@ -49,7 +49,12 @@ public final class WalkTables {
     /** Most junctions on a walk from node v in direction d, at index 4 v + d. */
     private final byte[] junctions;
 
-    /** Walks of so many steps in a maze. */
+    /**
+     * Finds the walks of a maze.
+     *
+     * @param depth number of steps of a walk
+     * @throws IllegalArgumentException if too many walks start at one node
+     */
     public WalkTables(MazeGraph graph, int depth) {
         lists = new int[4 * graph.nodeCount()];
         junctions = new byte[lists.length];

@@ -1,10 +1,10 @@
 package mmneat.mspacman.sensors;
 
 /**
- * "Close to Power Pill?": 1 if a power pill that is left is fewer than so many steps away, in whatever direction, else
- * 0.
+ * "Close to Power Pill?": 1 if a power pill that is not eaten is less than {@code closeness} steps away in any
+ * direction, else 0.
  *
- * @param closeness in steps
+ * @param closeness distance in steps
  */
 record CloseToPowerPill(double closeness) implements CommonSensor {
 

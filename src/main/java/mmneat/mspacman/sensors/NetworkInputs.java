@@ -122,7 +122,7 @@ public final class NetworkInputs {
     }
 
     /**
-     * What the sensors say about an open direction.
+     * The values of the sensors in an open direction.
      *
      * @return one value per sensor, valid until the next call
      */
@@ -134,7 +134,7 @@ public final class NetworkInputs {
         return inputs;
     }
 
-    /** Finds the activations of input neurons for an open direction. */
+    /** Computes the activations of input neurons for an open direction; {@link #activations} returns them. */
     public void sense(int direction) {
         observation.face(direction);
         int row = direction * sensors.length;
@@ -149,8 +149,8 @@ public final class NetworkInputs {
     }
 
     /**
-     * Hyperbolic tangents of what the sensors say about the directions that were sensed since the state was taken in;
-     * those of other directions are left over from before.
+     * Activations of the input neurons, the hyperbolic tangents of the sensors' values. They are valid for the
+     * directions for which {@link #sense} was called in this time step; other directions have old values.
      *
      * @return input i for direction d at index d n + i, where n is the number of sensors; valid until the next step
      */

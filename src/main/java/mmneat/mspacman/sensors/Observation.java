@@ -9,7 +9,8 @@ import pacman.maze.Routes;
 /**
  * The state of a game in one time step as sensors see it, in one direction from Ms.&nbsp;Pac-Man.
  *
- * <p>Directions are numbered UP 0, RIGHT 1, DOWN 2, LEFT 3; ghosts Blinky 0, Pinky 1, Inky 2, Sue 3. Distances are in
+ * <p>A threat is a ghost that is neither edible nor in the lair. An active pill is one that has not been eaten.
+ * Directions are numbered UP 0, RIGHT 1, DOWN 2, LEFT 3; ghosts Blinky 0, Pinky 1, Inky 2, Sue 3. Distances are in
  * steps, times in steps. All paths are the simulator's (docs/specification/simulator.md, sections 4.3 and 4.4). One
  * thread uses an observation.
  *
@@ -181,7 +182,7 @@ public final class Observation {
         }
     }
 
-    /** Turns to an open direction; what sensors sense afterwards is for this direction. */
+    /** Sets the direction, which must be open, for all later queries that depend on a direction. */
     public void face(int newDirection) {
         direction = newDirection;
         route = routes.leaving(node, newDirection);
@@ -294,12 +295,12 @@ public final class Observation {
 
     // ---- What sensors ask ----
 
-    /** The game, for sensors that want to know more: to be read only. */
+    /** The game, for sensors that need more than the queries here: read it, do not change it. */
     public Game game() {
         return game;
     }
 
-    /** The direction that is looked at, 0 to 3. */
+    /** The direction for which sensors are computed, 0 to 3. */
     public int direction() {
         return direction;
     }
@@ -339,6 +340,7 @@ public final class Observation {
         return lairTime[ghost];
     }
 
+    /** Whether Ms. Pac-Man can eat a ghost. */
     public boolean isEdible(int ghost) {
         return edibleTime[ghost] > 0;
     }

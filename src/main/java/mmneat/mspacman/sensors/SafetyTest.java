@@ -5,7 +5,7 @@ import pacman.maze.OnwardJunctions;
 import pacman.maze.Routes;
 
 /**
- * Which junctions Ms. Pac-Man can reach in the direction that is looked at before a ghost stops her.
+ * The test which junctions Ms. Pac-Man can reach in one direction before a ghost stops her.
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 4.10 and 4.11, whose rules the methods follow.
  */

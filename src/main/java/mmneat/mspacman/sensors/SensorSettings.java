@@ -12,12 +12,12 @@ import java.util.Set;
  * <p>Source: docs/specification/mspacman-task.md, section 4.1, and docs/specification/original-options.md, section 3.
  * The names are those of the parameters.
  *
- * @param groups the groups of sensors that are there
+ * @param groups the groups of sensors that the network has
  * @param junctionsToSense how many of the nearest junctions' distances are sensed, at least 1
  * @param smallStepSimDepth steps of the walks along which pills and junctions are counted, 1 to {@value #DEEPEST}
  * @param edibleTime edible time of the first level, by which times are scaled, at least 1
  * @param closePowerPillDistance distance below which a power pill is close
- * @param own sensors of one's own, which follow the others
+ * @param own sensors of your own, which follow the others
  */
 public record SensorSettings(
         Set<SensorGroup> groups,

@@ -91,7 +91,7 @@ public final class SensorSuite {
         return sensors.size();
     }
 
-    /** Which sensors were asked for. */
+    /** The settings from which these sensors were made. */
     public SensorSettings settings() {
         return settings;
     }
@@ -108,7 +108,7 @@ public final class SensorSuite {
                 .toList();
     }
 
-    /** Something that senses games with these sensors; one thread uses it. */
+    /** Creates an object that computes the values of these sensors in a game; one thread uses it. */
     public NetworkInputs newInputs() {
         return new NetworkInputs(this);
     }

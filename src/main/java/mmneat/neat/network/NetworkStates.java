@@ -179,9 +179,9 @@ public final class NetworkStates {
     }
 
     /**
-     * {@link NetworkState#presetModule} of every state.
+     * Calls {@link NetworkState#presetModule} of every state.
      *
-     * @throws IllegalArgumentException as there
+     * @throws IllegalArgumentException as {@link NetworkState#presetModule}
      */
     public void presetModule(int module) {
         for (NetworkState state : states) {
