@@ -6,8 +6,8 @@ import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
 /**
- * Evaluates a population: in the calling thread ({@link SequentialEvaluator}) or on several threads ({@link
- * ParallelEvaluator}).
+ * An evaluator of populations: it works in the calling thread ({@link SequentialEvaluator}) or on several threads
+ * ({@link ParallelEvaluator}).
  */
 public interface Evaluator {
 

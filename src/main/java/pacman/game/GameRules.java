@@ -31,7 +31,10 @@ public record GameRules(
         PillRules pills,
         Set<GameSwitch> switches) {
 
-    /** The framework whose behaviour is used where the two differ; docs/specification/controllers.md, section 1.3. */
+    /**
+     * The framework whose behaviour is used where the competition's framework and MM-NEAT differ. Source:
+     * docs/specification/controllers.md, section 1.3.
+     */
     public enum Conventions {
         /**
          * The competition, release 6.2: a copy equals the game, a null move is an illegal move, the state string has 35

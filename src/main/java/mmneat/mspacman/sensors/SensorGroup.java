@@ -7,13 +7,16 @@ package mmneat.mspacman.sensors;
  * <p>Source: docs/specification/original-options.md, sections 3.1 and 3.2.
  */
 public enum SensorGroup {
-    /** Distance, and approach, of each ghost by its number ({@code specific}). */
+    /** Distance of each ghost by its number; with {@link #APPROACHING}, whether it approaches ({@code specific}). */
     NUMBERED_GHOSTS,
-    /** Distance, and more, of the nth nearest ghost of either kind ({@code specificGhostProximityOrder}). */
+    /**
+     * Distance of the nth nearest ghost of either kind, n from 1 to 4 ({@code specificGhostProximityOrder}). {@link
+     * #APPROACHING}, {@link #TRAPPED}, {@link #TIME_VERSUS_DISTANCE} and {@link #EDIBLE} add sensors of these ghosts.
+     */
     NEAREST_GHOSTS,
     /**
-     * Distance, and more, of the nth nearest threat and of the nth nearest edible ghost ({@code
-     * specificGhostEdibleThreatSplit}).
+     * Distances of the nth nearest threat and of the nth nearest edible ghost, n from 1 to 4 ({@code
+     * specificGhostEdibleThreatSplit}). {@link #APPROACHING} and {@link #TRAPPED} add sensors of these ghosts.
      */
     NEAREST_OF_EACH_KIND,
     /** Whether a ghost approaches, in all three groups of ghosts ({@code incoming}). */
@@ -32,6 +35,6 @@ public enum SensorGroup {
      * infiniteEdibleTime}).
      */
     EDIBLE_PROPORTIONS,
-    /** Options from the next junction ({@code highLevel}). */
+    /** Number of safe moves at the next junction, {@link OptionsAfterJunction} ({@code highLevel}). */
     OPTIONS_AFTER_JUNCTION
 }

@@ -20,8 +20,9 @@ import mmneat.neat.ModuleLayout;
  * @param disabledModule module with the constant preference -2, below all activations of tanh, in networks that have
  *     it; -1 for none. It is chosen if it is the only module of its task, seldom by softmax, or if fatigue lowers all
  *     others further
- * @param fatigueUnit what the chosen module's fatigue grows by; fatigue is subtracted from a module's preference
- * @param fatigueDecay what the other modules' fatigue is multiplied by
+ * @param fatigueUnit amount by which the fatigue of the chosen module grows; fatigue is subtracted from a module's
+ *     preference
+ * @param fatigueDecay factor by which the fatigue of the other modules is multiplied
  * @param answer the combination of the modules' policy activations that the network returns
  * @param taskOfModule the number of the task that each module serves; empty if modules serve no particular task, or if
  *     the groups of the layout are the tasks
@@ -76,7 +77,7 @@ public record ModuleArbitration(
     }
 
     /**
-     * The same with {@code temperature} for softmax; the original's default is 0.25.
+     * This arbitration with {@code temperature} for softmax; the original's default is 0.25.
      *
      * @throws IllegalArgumentException if it is negative
      */
@@ -85,7 +86,7 @@ public record ModuleArbitration(
     }
 
     /**
-     * The same with a disabled module, whose preference is always -2.
+     * This arbitration with a disabled module, whose preference is always -2.
      *
      * @throws IllegalArgumentException if it is less than -1
      */
@@ -94,22 +95,24 @@ public record ModuleArbitration(
     }
 
     /**
-     * The same with modules that tire of being chosen.
+     * This arbitration with fatigue: modules that were chosen often are preferred less.
      *
+     * @param unit amount that is added to the fatigue of the chosen module in a step
+     * @param decay factor by which the fatigue of every other module is multiplied in a step
      * @throws IllegalArgumentException if a number is not finite
      */
     public ModuleArbitration withFatigue(double unit, double decay) {
         return new ModuleArbitration(softmaxTemperature, disabledModule, unit, decay, answer, taskOfModule);
     }
 
-    /** The same with another combination of the modules' policy activations. */
+    /** This arbitration with another combination of the modules' policy activations. */
     public ModuleArbitration withAnswer(Answer value) {
         return new ModuleArbitration(
                 softmaxTemperature, disabledModule, fatigueUnit, fatigueDecay, value, taskOfModule);
     }
 
     /**
-     * The same for a network with several modules per task: one of the modules of the preset task is chosen by
+     * This arbitration for a network with several modules per task: one of the modules of the preset task is chosen by
      * preference.
      *
      * @param taskOfEachModule number of the task that each module serves
