@@ -18,7 +18,12 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The options that choose a game: its rules and mazes. */
+/**
+ * The options that choose the game of the commands {@code play} and {@code replay}: the rules of the simulator ({@code
+ * rules=}, for example {@code competition} or {@code blended}), the maze, and the start of an isolated ghost game. The
+ * commands that evaluate champions have {@link RulesOption} instead, with other names: it changes the rules of the
+ * champion's own task.
+ */
 final class GameOptions {
 
     private static final String DEFAULT_RULES = "competition";

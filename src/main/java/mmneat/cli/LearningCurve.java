@@ -17,7 +17,10 @@ import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunOutcome;
 import mmneat.experiment.store.DurableFiles;
 
-/** Draws the learning curve of an experiment, of any task, into its folder. */
+/**
+ * Writer of the learning curve that the main job ({@link MainJob}) leaves in the folder of an experiment, of any task.
+ * It converts the outcomes of the runs for {@link LearningCurveFigure}, which draws, and saves the files.
+ */
 final class LearningCurve {
 
     private LearningCurve() {}

@@ -32,9 +32,19 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /**
- * Entry point of {@code mmneat.jar}: finds the command and runs it.
+ * Entry point of {@code mmneat.jar}: finds the command and runs it; without a command, the main job ({@link MainJob}),
+ * which evolves.
  *
- * <p>Exit codes: 0 success, 1 a bug of the program (with a stack trace), 2 an error of the user (one line).
+ * <table>
+ *   <caption>Exit codes</caption>
+ *   <tr><th>code</th><th>meaning</th></tr>
+ *   <tr><td>0</td><td>success; of the main job: all runs are complete</td></tr>
+ *   <tr><td>1</td><td>a bug of the program (with a stack trace); of the main job also: a run failed</td></tr>
+ *   <tr><td>2</td><td>an error of the user (one line)</td></tr>
+ *   <tr><td>3</td><td>main job only: another process holds the lock of a run's folder</td></tr>
+ *   <tr><td>4, 5</td><td>command {@code status} only: some runs are not finished; some have failed</td></tr>
+ *   <tr><td>130, 143</td><td>interrupted by Ctrl-C, by SIGTERM; these codes are the system's</td></tr>
+ * </table>
  */
 @Command(
         name = "mmneat",

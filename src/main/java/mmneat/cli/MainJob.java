@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
@@ -24,9 +25,10 @@ import picocli.CommandLine.ExitCode;
 /**
  * The main job: runs the evolutions that the parameters describe, shows their progress and prints their scores.
  *
- * <p>Exit codes: 0 all runs are complete; 1 a run failed; 2 an error of the user; 3 a run is locked by another process.
- * If it is interrupted, the state is that of the last complete generation, and the exit code is that of the system: 130
- * after Ctrl-C, 143 after SIGTERM.
+ * <p>The exit code ({@link Main} lists all) is 0 if all runs are complete; 1 if at least one failed; otherwise 2 if at
+ * least one could not start because of an error of the user; otherwise 3: runs are locked by another process. If the
+ * program is interrupted, each run is saved up to its last complete generation, and the exit code is 130 after Ctrl-C,
+ * 143 after SIGTERM.
  */
 final class MainJob implements Callable<Integer> {
 
@@ -143,6 +145,14 @@ final class MainJob implements Callable<Integer> {
             outcome.failure().printStackTrace(errors);
         }
         errors.flush();
+    }
+
+    /** Returns the exit code of two main jobs: a failed run matters most, then an error of the user, then a lock. */
+    static int worse(int first, int second) {
+        return Stream.of(ExitCode.SOFTWARE, ExitCode.USAGE, IN_USE)
+                .filter(code -> code == first || code == second)
+                .findFirst()
+                .orElse(ExitCode.OK);
     }
 
     private static int exitCode(List<RunOutcome> outcomes) {

@@ -301,21 +301,21 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
         }
     }
 
-    /** Values of the option timed. */
+    /** Values of the option {@code timed=}. */
     private static final class Timings extends ArrayList<String> {
         Timings() {
             super(List.of(UNTIMED, "true", FAST));
         }
     }
 
-    /** Values of the option onFailure. */
+    /** Values of the option {@code onFailure=}. */
     private static final class Reactions extends ArrayList<String> {
         Reactions() {
             super(List.of("stop", "skip", "score0"));
         }
     }
 
-    /** Values of the option check. */
+    /** Values of the option {@code check=}: {@code repeat} plays the first game again and compares the scores. */
     private static final class Checks extends ArrayList<String> {
         Checks() {
             super(List.of("none", "repeat"));

@@ -16,8 +16,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
 /**
- * The command {@code process}: summarises runs like the original's mode of that name, for existing scripts that use its
- * files.
+ * The command {@code process}: writes the summaries over the runs of an experiment that the original writes if its
+ * first argument is {@code process}. They are averaged logs, hypervolumes and gnuplot scripts ({@link RunSummaries}),
+ * for existing scripts that read such files.
  */
 @Command(
         name = "process",

@@ -18,7 +18,11 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** The command {@code replay}: shows a recorded game. */
+/**
+ * The command {@code replay}: shows a recorded game in a window or as a page. The recording is a file that {@code play
+ * record=FILE} has written. It holds the states of the game only, of any two controllers; the command {@code watch}
+ * plays a new game with a network and also shows the network.
+ */
 @Command(
         name = "replay",
         customSynopsis = "mmneat replay FILE [name=value...]",

@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import mmneat.analysis.evaluation.Rules;
 import picocli.CommandLine.Option;
 
-/** The option {@code rules=}: the rules under which a champion plays. */
+/**
+ * The option {@code rules=} of the commands that evaluate or show champions: the rules of the champion's task, or these
+ * rules with more lives ({@link Rules}). The commands {@code play} and {@code replay} have {@link GameOptions} instead.
+ */
 final class RulesOption {
 
     private static final class Labels extends ArrayList<String> {

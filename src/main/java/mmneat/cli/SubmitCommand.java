@@ -160,7 +160,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
         int worst = ExitCode.OK;
         for (Study.Part part : study.parts()) {
             PrintWriter out = out();
-            worst = Math.max(worst, new MainJob(part.words(), out, notes()).call());
+            worst = MainJob.worse(worst, new MainJob(part.words(), out, notes()).call());
             if (!part.plan().parameters().flag("quiet")) {
                 out.println();
                 out.flush();

@@ -28,7 +28,12 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The command {@code tasks}: measures how a game divides into subtasks. */
+/**
+ * The command {@code tasks}: plays games and measures how they divide into subtasks, such as eating pills: how often
+ * the subtask changes and how often subtasks overlap. From that follows whether a division of the game is isolated,
+ * interleaved or blended by the definitions of the paper. The option {@code task=} is, as in all commands, the version
+ * of the whole task.
+ */
 @Command(
         name = "tasks",
         customSynopsis = "mmneat tasks [name=value...]",

@@ -35,9 +35,7 @@ public final class Contest {
     private final ContestTally tally = new ContestTally();
     private long nextProgress;
 
-    /**
-     * @param notes receives progress and the failures of controllers
-     */
+    /** @param notes receives progress and the failures of controllers */
     public Contest(ContestSettings settings, PrintWriter notes) {
         this.settings = settings;
         this.notes = notes;
@@ -46,7 +44,9 @@ public final class Contest {
     /**
      * Plays all games.
      *
-     * @param afterStep called with the game after each step, except in untimed games that are shown
+     * @param afterStep called with the game after each step, for example to record it. It is not called in untimed
+     *     games that are shown in a window, because {@link pacman.Executor#runGame} has no such call; a caller that
+     *     records and shows needs a timed game
      * @param ended called with the result so far, in a shutdown hook, if the program is ended during the games
      * @return the result; it has fewer games than requested if a failure stopped the contest
      */

@@ -7,7 +7,10 @@ import pacman.TimedReport;
 /**
  * The result of the games of a contest played so far.
  *
- * @param scores scores of the games that count, in the order of the games
+ * @param scores scores of the games that count, in the order of the games. Every game without a failure of a controller
+ *     counts. Of games with a failure: under {@link OnFailure#SKIP} none counts; under {@link OnFailure#SCORE0} each
+ *     counts with a score of 0; under {@link OnFailure#STOP} a timed game counts, because it continues after a failure,
+ *     and an untimed game does not
  * @param steps total steps of the games that count
  * @param pacMan punctuality of Ms. Pac-Man's side over all timed games
  * @param ghosts punctuality of the ghosts' side over all timed games

@@ -15,7 +15,8 @@ import pacman.game.GameRules;
  * @param games number of games, at least 1
  * @param seed seed from which the games' seeds are drawn
  * @param timing the time limit of controllers
- * @param moveLimit an untimed game fails if it makes no step for this long; null for no limit
+ * @param moveLimit an untimed game fails if it makes no step for this long; null for no limit, and a stalled game is
+ *     only reported
  * @param isShown whether the games are shown in a window
  * @param onFailure what to do with a game in which a controller failed
  * @param isRepeated whether the first finished game is played again to compare the scores

@@ -4,8 +4,12 @@ import java.util.Arrays;
 import java.util.Map;
 
 /**
- * A shutdown hook that is active while games are played. A controller may end the program in ways that its byte code
- * does not show. Its exit code 0 must not look like a result.
+ * A shutdown hook that reports the result so far if the program ends while games are played. If a controller ended the
+ * program by a call of exit, the hook also changes the exit code to 2, so that a program that a controller ended with
+ * code 0 does not look successful.
+ *
+ * <p>{@link mmneat.contest.entry.ExitCalls} already turns calls of exit in the byte code of an entry into errors. The
+ * hook is for the calls that are not visible there, for example by reflection.
  */
 final class ExitGuard {
 
@@ -13,9 +17,7 @@ final class ExitGuard {
 
     private final Thread hook;
 
-    /**
-     * @param report reports, during the shutdown, the result so far
-     */
+    /** @param report reports, during the shutdown, the result so far */
     ExitGuard(Runnable report) {
         hook = new Thread(() -> {
             report.run();

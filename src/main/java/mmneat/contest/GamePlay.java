@@ -58,7 +58,7 @@ final class GamePlay {
      * Plays a game.
      *
      * @param number number of the game, from 1
-     * @param afterStep called with the game after each step, except in untimed games that are shown
+     * @param afterStep called with the game after each step, except in untimed games that are shown in a window
      */
     Outcome play(Game game, int number, Consumer<Game> afterStep) {
         boolean isLimited = settings.moveLimit() != null && settings.timing() == Timing.NONE;

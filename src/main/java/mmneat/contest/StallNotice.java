@@ -6,7 +6,10 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import pacman.game.Game;
 
-/** Reports a game that has stalled. Without a time limit nothing else detects a controller that never answers. */
+/**
+ * A timer that reports an untimed game without steps for a while. It is for untimed games without {@link
+ * ContestSettings#moveLimit}: there nothing else detects a controller that never answers. The game goes on.
+ */
 final class StallNotice implements AutoCloseable {
 
     private static final String ASKING = "pacman.UntimedRun";

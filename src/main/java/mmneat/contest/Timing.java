@@ -1,6 +1,9 @@
 package mmneat.contest;
 
-/** The time limit for an answer of a controller. */
+/**
+ * The time limit for an answer of a controller. Games with {@link #NONE} are called untimed, all others timed. In a
+ * timed game each controller computes in a thread of its own; if it is late, its last answer is used again.
+ */
 public enum Timing {
     /** No limit: controllers are called directly. */
     NONE,

@@ -155,4 +155,13 @@ class MainJobTest extends CommandTest {
         assertThat(execute("params", "crosoverRate")).isEqualTo(2);
         assertThat(errors.toString()).contains("did you mean 'crossoverRate'?");
     }
+
+    @Test
+    void exitCodeOfTwoJobs_isThatOfTheFailedRun_thenOfTheMistake_thenOfTheLock() {
+        assertThat(MainJob.worse(0, 0)).isZero();
+        assertThat(MainJob.worse(3, 0)).isEqualTo(3);
+        assertThat(MainJob.worse(3, 2)).isEqualTo(2);
+        assertThat(MainJob.worse(1, 2)).isEqualTo(1);
+        assertThat(MainJob.worse(1, 3)).isEqualTo(1);
+    }
 }

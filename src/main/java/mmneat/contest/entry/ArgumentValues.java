@@ -38,7 +38,10 @@ final class ArgumentValues {
      */
     private record Conversion(int rank, Function<String, Object> value) {}
 
-    /** Finds controllers that are given as arguments. */
+    /**
+     * The finder of controllers that are constructor arguments of another controller. For example, in {@code
+     * my.Entry(Legacy,3)} the first argument may be the ghosts' controller {@code Legacy}.
+     */
     interface Controllers {
         /**
          * Returns a factory of the controllers that a call describes; empty if there is no such class or it is not of

@@ -14,7 +14,8 @@ import mmneat.experiment.UserError;
 import pacman.controllers.Controller;
 
 /**
- * A factory of controllers of one class, which uses the constructor that fits the given arguments.
+ * A factory of controllers of one class, which uses the constructor that fits the given arguments. A {@link
+ * ControllerLoader} makes the factory; {@link #create} makes a controller, a new one for each game.
  *
  * @param <T> {@code MOVE} for Ms. Pac-Man, {@code EnumMap<GHOST, MOVE>} for the ghosts
  */

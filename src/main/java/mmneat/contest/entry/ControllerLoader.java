@@ -20,8 +20,12 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * Finds controllers by class name, first on the user's class path, then in this program. The package can be left out if
- * the name is unique. The skeletons in {@code pacman.entries} never replace a class that is missing on the class path.
+ * Finder of controllers by class name, first on the user's class path, then in this program. The package can be left
+ * out if the name is unique.
+ *
+ * <p>This program has two skeletons, {@code MyPacMan} and {@code MyGhosts} in {@code pacman.entries}, whose names are
+ * also those of most entries. If a class path is given, the skeletons are not found: if the user's {@code MyPacMan} is
+ * missing there, that is an error, and the skeleton does not play in its place.
  *
  * <p>Every error (no such class, not a controller, the wrong type of moves, no constructor, unreadable file) is a
  * {@link UserError}.

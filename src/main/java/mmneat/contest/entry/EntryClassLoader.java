@@ -25,9 +25,11 @@ import pacman.controllers.Controller;
  * from this program, except in {@code pacman.entries}, the package of the entries. Everything else is searched in the
  * entry first, so that two entries, or an entry and this program, can use different versions of a library.
  *
- * <p>A copy of the simulator may also be in another package, for example {@code
- * edu.example.pacman.controllers.Controller}. This package is found through a superclass of the entry whose name ends
- * like one of ours. All names below that package that this program also has are then renamed in the entry's byte code
+ * <p>The copy of the simulator may also have been moved to another package. For example, an entry may extend {@code
+ * edu.example.pacman.controllers.Controller}, where this program has {@code pacman.controllers.Controller}. The entry's
+ * superclasses are searched for such a name: one that ends like the name of a class of this program from {@code
+ * controllers} on. The part before it, here {@code edu.example.pacman}, is the package of the copy. All names of
+ * classes below this package that this program also has below {@code pacman} are then renamed in the entry's byte code
  * during loading. (ASM does this, the library that the JDK and most build tools use; it is small and supports every
  * Java version.) Names inside strings, as for {@code Class.forName}, are not renamed.
  *

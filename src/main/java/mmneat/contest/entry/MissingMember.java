@@ -6,8 +6,8 @@ public final class MissingMember {
     private MissingMember() {}
 
     /**
-     * Returns an explanation to append to a message: release 6.2 never had the class, method or field that an entry
-     * uses. Empty if the failure has another cause.
+     * Returns an explanation to append to a message: release 6.2 of the competition's simulator, which this program
+     * contains, never had the class, method or field that an entry uses. Empty if the failure has another cause.
      */
     public static String explanation(Throwable failure) {
         for (Throwable cause = failure; cause != null; cause = cause.getCause()) {

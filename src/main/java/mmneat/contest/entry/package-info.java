@@ -1,5 +1,5 @@
 /**
- * Loading of controllers by class name: controllers of this program, and competition entries from a jar or class
- * folder.
+ * Loading of controllers by class name: controllers of this program, and entries of the Ms.&nbsp;Pac-Man versus Ghosts
+ * competition from a jar or class folder. {@link mmneat.contest.entry.ControllerLoader} is the entry point.
  */
 package mmneat.contest.entry;

@@ -1,4 +1,5 @@
 /**
- * The skeleton of a competition entry that controls Ms.&nbsp;Pac-Man.
+ * The skeleton of a competition entry that controls Ms.&nbsp;Pac-Man. Entries of the competition have this package,
+ * too.
  */
 package pacman.entries.pacman;
