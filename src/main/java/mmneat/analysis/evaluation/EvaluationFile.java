@@ -91,7 +91,7 @@ final class EvaluationFile implements AutoCloseable {
 
     private List<GameResult> readable(String text, String header, IntFunction<long[]> seeds) {
         List<GameResult> games = new ArrayList<>();
-        // What stands behind the last line end was cut off.
+        // The part after the last line end is an incomplete line.
         List<String> lines =
                 text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
         if (lines.isEmpty() || !lines.get(0).equals(header)) {

@@ -176,7 +176,7 @@ public final class EvaluationReport implements EvaluationObserver {
         for (int k = 0; k < labels.size(); k++) {
             int score = k;
             double[] values = trials.stream().mapToDouble(trial -> trial[score]).toArray();
-            // Deviations are given beside averages only; the others say in their label what they are.
+            // Only averages have a deviation. The label of another statistic ends with its name in brackets.
             String deviation = labels.get(k).endsWith("]") ? "" : " +/- " + DoubleText.of(deviation(values));
             line("\t" + labels.get(k) + ":\t" + array(values) + ":" + DoubleText.of(aggregates[k]) + deviation);
         }

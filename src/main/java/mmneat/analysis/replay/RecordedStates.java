@@ -45,7 +45,7 @@ public final class RecordedStates {
         if (!isCaptured) {
             throw new IllegalArgumentException("the recording has no state in a level of these rules");
         }
-        // Not from the game: its last state may be one that was left out.
+        // Not the score of the game, whose last state may be one that was left out.
         int score = step.score;
         step.module = -1;
         step.choice = ReplayStep.NO_MOVE;

@@ -159,7 +159,7 @@ public final class ReplayRecorder {
             if (open) {
                 columns[i].add(quantise(values[i], scale));
             } else {
-                // Nothing is looked up where there is a wall: repeating costs nothing.
+                // A direction with a wall has no values. A repeated value compresses to almost nothing.
                 columns[i].repeat();
             }
         }

@@ -132,7 +132,7 @@ public final class RunReader {
                     + "); remove it and run evaluate again");
         }
         Path champion = folder.resolve(RunLayout.CHAMPION);
-        // A run that went on has another champion, of which this says nothing.
+        // A continued run has another champion, to which this evaluation does not apply.
         boolean isOfAnother = Files.exists(champion)
                 && json(champion, JsonNode.class, "").path("id").asLong() != evaluation.network();
         return isOfAnother ? Optional.empty() : Optional.of(evaluation);

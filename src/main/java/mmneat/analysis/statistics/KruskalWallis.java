@@ -31,8 +31,8 @@ public record KruskalWallis(double h, int degreesOfFreedom, double p, double tie
                 samples.stream().flatMapToDouble(s -> Arrays.stream(s.values())).toArray();
         double[] ranks = new NaturalRanking(TiesStrategy.AVERAGE).rank(pooled);
         double total = pooled.length;
-        // Squared deviations of the mean ranks instead of the usual 12 / (N (N + 1)) sum(R^2 / n) - 3 (N + 1): nothing
-        // cancels.
+        // Squared deviations of the mean ranks instead of the usual 12 / (N (N + 1)) sum(R^2 / n) - 3 (N + 1), which
+        // subtracts numbers of almost the same size.
         double between = 0;
         int first = 0;
         for (Sample sample : samples) {

@@ -66,7 +66,7 @@ public record PairwiseTest(String a, String b, double u, boolean ties, Method me
     }
 
     private static double normal(double[] x, double[] y, double u) {
-        // In the exact middle R corrects by sign(0) = 0; half a step of correction would only pass 1 and be cut there.
+        // At the exact middle, R's correction is sign(0) = 0. Half a step would give a p above 1, which is cut to 1.
         if (2 * u == (double) x.length * y.length) {
             return 1;
         }

@@ -138,7 +138,7 @@ public record EvolutionParameters(
         try {
             rate = parts.matches() ? Double.parseDouble(parts.group(2)) : -1;
         } catch (NumberFormatException e) {
-            // Refused below, with what is missing altogether.
+            // The rate stays -1, which is refused below.
         }
         if (!(rate >= 0 && rate <= 1)) {
             throw new UserError("mutations=" + mutation

@@ -22,7 +22,7 @@ final class OwnClasses {
 
     private final String jar;
 
-    /** Made when a class is asked for: parameters may name a jar of which nothing is needed. */
+    /** Created with the first request for a class; parameters may name a jar that is not needed. */
     private ClassLoader loader;
 
     /**
