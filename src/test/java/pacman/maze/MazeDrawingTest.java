@@ -15,10 +15,10 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 import pacman.game.GameRules;
 
-/** Drawings that people make: a maze of their own works, and a mistake is named where it is. */
+/** Drawings by users: a user's maze can be played, and an error message names the place of the fault. */
 class MazeDrawingTest {
 
-    /** Two loops that hang together by a single corridor: harder on path search than any of the four mazes. */
+    /** Two loops joined by a single corridor: harder for path search than any of the four mazes. */
     private static final String[] FIFTH = {
         "#.........#######.........##",
         "#.#######.#######.#######.##",

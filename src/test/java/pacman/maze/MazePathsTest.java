@@ -91,7 +91,7 @@ class MazePathsTest {
         assertThat(near).isEqualTo(pillsNearPowerPills);
     }
 
-    /** Undirected paths that are longer than they need be; docs/specification/simulator.md, section 4.4. */
+    /** Undirected paths that are longer than necessary; docs/specification/simulator.md, section 4.4. */
     @ParameterizedTest
     @CsvSource({"0, 1004", "1, 236", "2, 3624", "3, 12"})
     void undirectedPaths_areAsInexactAsTheOriginals(int maze, int expected) {

@@ -15,7 +15,7 @@ import pacman.game.Constants.MOVE;
 import pacman.game.internal.Maze;
 import pacman.game.internal.Node;
 
-/** A text of everything that a maze consists of, from our maze or from the original's record of it. */
+/** A text with all data of a maze, from our maze or from the original's record of it. */
 public final class MazeText {
 
     /** The file of the compact data with the digest of each maze's text. */

@@ -10,7 +10,7 @@ import pacman.game.Game;
 
 class PillOrderTest {
 
-    /** The reference form: all that is present, in order, and the game's own query. */
+    /** The reference form: the game's own query over all present pills and power pills. */
     private static int nearestByQuery(Game game, int node) {
         int[] present = IntStream.concat(
                         IntStream.of(game.getActivePillsIndices()), IntStream.of(game.getActivePowerPillsIndices()))

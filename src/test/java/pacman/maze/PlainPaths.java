@@ -10,8 +10,8 @@ import java.util.PriorityQueue;
 import java.util.Set;
 
 /**
- * Paths as docs/specification/simulator.md, sections 4.3 and 4.4, tells them: with lists, maps and searches instead of
- * tables.
+ * A plain reference implementation of paths, with lists, maps and searches instead of tables. Source:
+ * docs/specification/simulator.md, sections 4.3 and 4.4.
  */
 final class PlainPaths {
 

@@ -58,7 +58,7 @@ class FigureTest {
                             .getTagName())
                     .isEqualTo("svg");
             assertThat(figure.svg()).isEqualTo(svg);
-            // Text is text: it can be searched, and writing it takes no fonts.
+            // Text is written as text: it can be searched, and writing it needs no fonts.
             assertThat(svg).contains("</text>").contains("Champion");
             BufferedImage image =
                     ImageIO.read(new ByteArrayInputStream(figure.png().orElseThrow()));

@@ -131,7 +131,7 @@ class GameGifTest {
         return Integer.parseInt(node.getAttribute(attribute));
     }
 
-    /** Twice as large, and equal but for the palette's rounding and for the trail, which covers only what is black. */
+    /** Twice as large, and equal except for the palette's rounding and the trail, which covers only black pixels. */
     private static void assertSimilar(BufferedImage shown, BufferedImage painted) {
         for (int y = 0; y < painted.getHeight(); y++) {
             for (int x = 0; x < painted.getWidth(); x++) {

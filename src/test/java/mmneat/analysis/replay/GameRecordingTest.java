@@ -138,7 +138,7 @@ class GameRecordingTest {
             assertThat(browser.text("#maze")).isEqualTo("A");
             browser.evaluate("player.setSpeed(16)");
             browser.press(" ");
-            // It holds at the end of the first game, and says how it ended.
+            // The replay pauses at the end of the first game and shows how it ended.
             browser.waitUntil("!document.getElementById('outcome').hidden");
             assertThat(browser.evaluate("player.step").asInt())
                     .isEqualTo(browser.evaluate("player.recording.gameStarts[1] - 1")
@@ -163,7 +163,7 @@ class GameRecordingTest {
         Champion champion = ShippedChampions.read("interleaved");
         MsPacManTaskSettings settings =
                 PlayerSettings.of(champion, Optional.empty(), Rules.FOUR_MAZE, Optional.empty());
-        // A game in which she loses a life, and yet sees all four mazes.
+        // In this game Ms. Pac-Man loses a life and still reaches all four mazes.
         long seed = 10;
         Evaluation evaluation = new MsPacManTask(settings).evaluate(champion.genotype(), new ResumableRandom(seed));
         String score = String.format(Locale.ROOT, "%,d", (int) evaluation.otherScores()[0]);

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class ModuleColoursTest {
 
     /**
-     * CIELAB distance; 2.3 is just noticeable side by side, thin lines apart from each other need about ten times that.
+     * CIELAB distance. 2.3 is just noticeable side by side; separate thin lines need about ten times as much.
      */
     private static final double MINIMUM_DISTANCE = 25;
 

@@ -21,7 +21,7 @@ import pacman.game.Constants;
 import pacman.game.Game;
 import pacman.game.GameView;
 
-/** The picture shows where she went in this maze, and which module took her there. */
+/** The picture shows Ms. Pac-Man's trail in the current maze, coloured by the deciding module. */
 class TrailPictureTest {
 
     private static final int BLACK = 0xff000000;

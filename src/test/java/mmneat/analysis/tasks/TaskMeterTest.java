@@ -18,7 +18,7 @@ import pacman.controllers.examples.StarterPacMan;
 import pacman.game.Constants.MOVE;
 import pacman.game.GhostLocations;
 
-/** Thrashing rates, overlaps, and what they make of the three versions. */
+/** Thrashing rates and overlaps, and the versions that follow from them. */
 class TaskMeterTest {
 
     private static final int GAMES = 20;

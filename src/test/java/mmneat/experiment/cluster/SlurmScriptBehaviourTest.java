@@ -47,11 +47,11 @@ class SlurmScriptBehaviourTest {
     @ParameterizedTest
     @CsvSource({
         "0, 0, false",
-        "2, 0, false", // done; a mistake no restart mends
-        "143, 0, false", // scancel or pre-emption: Slurm knows what to do
+        "2, 0, false", // complete; an error that a restart cannot fix
+        "143, 0, false", // scancel or pre-emption: Slurm decides
         "1, 0, true",
         "137, 2, true",
-        "137, 3, false", // a crash: three times again
+        "137, 3, false", // a crash: queued again three times
         "3, 0, false",
         "3, 1, true" // locked: started twice by mistake, or by the killed predecessor
     })

@@ -30,7 +30,7 @@ class OwnPartsTest {
 
     private static final String EXAMPLES = "src/examples/java";
 
-    /** Files that hold times of the clock, or what a run was asked for. */
+    /** Files with clock times, or with the runs that were requested. */
     private static final Set<String> OF_THE_MOMENT = Set.of(
             "status.json",
             "parameters.properties",
@@ -255,7 +255,7 @@ class OwnPartsTest {
                 .doesNotContain("\n");
     }
 
-    /** The folder of a run may come from someone else. */
+    /** The folder of a run may come from another person. */
     @ParameterizedTest
     @ValueSource(
             strings = {

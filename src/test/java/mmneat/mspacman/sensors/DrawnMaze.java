@@ -3,7 +3,7 @@ package mmneat.mspacman.sensors;
 import pacman.maze.MazeTables;
 
 /**
- * A maze of no symmetry, with what the competition's mazes do not have: junctions and pills close together, loops
+ * An asymmetric maze with features that the competition's mazes lack: junctions and pills close together, loops
  * shorter than a walk, corridors of a single node, power pills on junctions.
  */
 final class DrawnMaze {

@@ -11,8 +11,8 @@ import pacman.maze.MazePaths;
 import pacman.maze.MazeTables;
 
 /**
- * The sensors in their plainest form: searching, listing and comparing whole paths, as
- * docs/specification/mspacman-task.md says it in section 4. Slow, and without any of the tables of the fast form.
+ * A plain reference implementation of the sensors, which searches, lists and compares whole paths. It is slow and uses
+ * none of the tables of the fast form. Source: docs/specification/mspacman-task.md, section 4.
  */
 final class ReferenceSensors {
 

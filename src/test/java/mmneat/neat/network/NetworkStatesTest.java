@@ -103,7 +103,7 @@ class NetworkStatesTest {
             for (int step = 0; step < STEPS; step++) {
                 double[] inputs = random.doubles(STATES * stride, -0.7, 0.7).toArray();
                 if (step % 7 == 0) {
-                    // Two states see the same and answer the same as long as they did before.
+                    // Two states get equal inputs. Their outputs are equal if their earlier inputs were.
                     System.arraycopy(inputs, 0, inputs, stride, stride);
                 }
                 int which = 1 + random.nextInt((1 << STATES) - 1);

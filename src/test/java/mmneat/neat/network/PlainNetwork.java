@@ -8,7 +8,8 @@ import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
 
 /**
- * The reference form: a network of node objects that push their activations along their links, as the chapter says it.
+ * A plain reference implementation of networks: node objects push their activations along their links. Source:
+ * docs/specification/networks.md, section 5.
  */
 final class PlainNetwork {
 

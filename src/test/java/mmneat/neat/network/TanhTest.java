@@ -69,7 +69,7 @@ class TanhTest {
         compare(() -> Double.longBitsToDouble(random.nextLong()));
     }
 
-    /** Where the reference changes its formula, and the bounds of our own cases. */
+    /** Arguments at which the reference changes its formula, and the bounds of our own cases. */
     @ParameterizedTest
     @ValueSource(
             doubles = {
