@@ -1,6 +1,6 @@
 package mmneat.contest;
 
-/** The rule for a game in which a controller failed. */
+/** The rule for a game in which a controller failed: end the contest, leave out the game, or count it with score 0. */
 public enum OnFailure {
     /** The contest ends; the finished games are reported. */
     STOP,

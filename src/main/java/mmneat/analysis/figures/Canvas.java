@@ -13,8 +13,11 @@ interface Canvas {
 
     /** The point of a text's baseline that is placed at the given coordinates. */
     enum Align {
+        /** The left end. */
         START,
+        /** The middle. */
         MIDDLE,
+        /** The right end. */
         END
     }
 

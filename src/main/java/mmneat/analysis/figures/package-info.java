@@ -1,5 +1,5 @@
 /**
  * Figures like those of the paper, drawn from the data of runs, with the paper's data in grey behind them, as SVG and
- * PNG.
+ * PNG. {@link mmneat.experiment} explains the terms: the paper, run, method, version, champion, module.
  */
 package mmneat.analysis.figures;

@@ -28,8 +28,11 @@ public record ReplayNetwork(List<String> inputs, List<Node> nodes, List<Link> li
 
     /** The role of a node. */
     public enum Kind {
+        /** Neither input nor output. */
         HIDDEN,
+        /** A policy neuron: an output that rates an action. */
         POLICY,
+        /** A preference neuron: an output that says how much its module wants to decide. */
         PREFERENCE
     }
 

@@ -1,2 +1,5 @@
-/** The report of a set of experiments as a web page: figures, statistics, champions and settings. */
+/**
+ * The report of a set of experiments as a web page: figures, statistics, champions and settings. {@link
+ * mmneat.experiment} explains the terms.
+ */
 package mmneat.analysis.report;

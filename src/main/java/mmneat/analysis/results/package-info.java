@@ -1,2 +1,5 @@
-/** The data of an analysis: folders of finished runs, evaluations of their champions, and published results. */
+/**
+ * The data of an analysis: folders of finished runs, evaluations of their champions, and published results, those of
+ * the paper. {@link mmneat.experiment} explains the terms.
+ */
 package mmneat.analysis.results;

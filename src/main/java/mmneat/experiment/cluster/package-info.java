@@ -3,6 +3,6 @@
  *
  * <p>One run is one job, which needs only its parameters and its own folder. The scheduler places, repeats and accounts
  * for jobs. All classes only write text, except {@link mmneat.experiment.cluster.SlurmSubmission}, which calls
- * programs.
+ * programs. The words of a job are parameters of the command line, each {@code name=value}.
  */
 package mmneat.experiment.cluster;

@@ -11,8 +11,9 @@ import java.util.regex.Pattern;
 /**
  * The parameter file that the original saves with a run: all its parameters, including defaults, as {@code name:value}.
  *
- * <p>Later versions of the original have more parameters, and use "module" instead of "mode" in some names. Their names
- * are mapped to those of the catalogue. A parameter that the catalogue does not have is left out.
+ * <p>Later versions of the original have more parameters, and say "module" where the names of the catalogue say "mode";
+ * both words mean a module of the network. The later names are mapped to those of the catalogue. A parameter that the
+ * catalogue does not have is left out.
  *
  * @param values by the catalogue's names, flags as true or false
  * @param leftOut names of unknown parameters with a value that may have an effect, in the order of the file

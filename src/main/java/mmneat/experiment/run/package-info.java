@@ -1,5 +1,5 @@
 /**
  * The execution of runs: the plan of an experiment, the workers that execute its runs in parallel, and the monitors of
- * their progress.
+ * their progress. {@link mmneat.experiment} explains the terms: run, experiment, study, champion.
  */
 package mmneat.experiment.run;

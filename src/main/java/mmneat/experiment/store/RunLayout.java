@@ -37,7 +37,10 @@ public final class RunLayout {
     /** The checkpoint before. */
     public static final String PREVIOUS_CHECKPOINT = "checkpoint-previous.json.gz";
 
-    /** The champion of the last generation. */
+    /**
+     * The network of the run's champion: the best parent of the last generation that had children so far ({@link
+     * mmneat.experiment} explains the term).
+     */
     public static final String CHAMPION = "champion.json";
 
     /** One row per generation, below a header. */

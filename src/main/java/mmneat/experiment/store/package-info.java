@@ -1,6 +1,7 @@
 /**
  * The folder of a run: its files, which always belong to a complete generation, its checkpoints, its lock and its
- * status. {@link mmneat.experiment.store.RunLayout} lists the files.
+ * status. {@link mmneat.experiment.store.RunLayout} lists the files, and {@link mmneat.experiment} explains the terms:
+ * the original, run, champion, archetype.
  *
  * <p>The state of a run has three forms. {@link mmneat.experiment.store.RunStatus.State} is what the run itself last
  * wrote to its folder. {@link mmneat.experiment.store.RunView.State} is what a reader of the folder concludes from that
