@@ -2,6 +2,7 @@ package mmneat.evolution;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -14,6 +15,7 @@ import mmneat.nsga2.Selection;
 import mmneat.nsga2.SurvivorSelection;
 import mmneat.nsga2.Variation;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II, optionally with the objectives that TUG chooses. For
@@ -36,7 +38,7 @@ public final class Evolution {
     private final Variation<Genotype, Offspring> variation;
     private List<Genotype> population;
     private int generation;
-    private TugState tug;
+    private @Nullable TugState tug;
 
     /**
      * An evolution that continues from a state. A new evolution starts from {@link EvolutionState#initial}.
@@ -109,7 +111,7 @@ public final class Evolution {
 
     /** Completes the generation of evaluated parents. */
     private void evolve(List<Individual> parents) {
-        Optional<TugStep> tugStep = settings.tug().map(policy -> policy.step(tug, generation, objectives(parents)));
+        Optional<TugStep> tugStep = settings.tug().map(policy -> policy.step(goals(), generation, objectives(parents)));
         tugStep.ifPresent(step -> tug = step.after());
         List<Offspring> offspring = reproduce(parents);
         List<Individual> children =
@@ -166,7 +168,7 @@ public final class Evolution {
         int[] survivors = settings.ownSelection().isPresent()
                 ? ownSurvivors(settings.ownSelection().get(), scores, count)
                 : settings.tug()
-                        .map(policy -> policy.survivors(tug, generation, scores, count, crowding))
+                        .map(policy -> policy.survivors(goals(), generation, scores, count, crowding))
                         .orElseGet(() -> SurvivorSelection.survivors(scores, count, crowding));
         return Arrays.stream(survivors).mapToObj(i -> all.get(i).genotype()).toList();
     }
@@ -187,8 +189,13 @@ public final class Evolution {
     private double[][] selectionScores(List<Individual> individuals) {
         double[][] scores = objectives(individuals);
         return settings.tug()
-                .map(policy -> policy.activeScores(tug, generation, scores))
+                .map(policy -> policy.activeScores(goals(), generation, scores))
                 .orElse(scores);
+    }
+
+    /** The goals of TUG, which its settings have made sure are there. */
+    private TugState goals() {
+        return Objects.requireNonNull(tug, "TUG without goals");
     }
 
     private static double[][] objectives(List<Individual> individuals) {

@@ -8,6 +8,7 @@ import mmneat.neat.Genotype;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The complete state of an evolution between two generations. An {@link Evolution} made from it continues exactly like
@@ -21,7 +22,11 @@ import mmneat.random.ResumableRandom;
  * @param tug the goals of TUG; null if the run does not use it
  */
 public record EvolutionState(
-        int generation, List<Genotype> population, GenePool.State pool, ResumableRandom.State random, TugState tug) {
+        int generation,
+        List<Genotype> population,
+        GenePool.State pool,
+        ResumableRandom.State random,
+        @Nullable TugState tug) {
 
     /** Id of the example network from which the original makes the archetype. */
     private static final long EXAMPLE_ID = -1;

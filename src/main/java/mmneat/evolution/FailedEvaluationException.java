@@ -1,5 +1,6 @@
 package mmneat.evolution;
 
+import java.util.Objects;
 import mmneat.neat.BadPartException;
 
 /**
@@ -23,6 +24,7 @@ public final class FailedEvaluationException extends IllegalStateException {
 
     /** Returns what the task threw. */
     public Throwable thrown() {
-        return getCause() instanceof FailedEvaluationException inner ? inner.thrown() : getCause();
+        Throwable cause = Objects.requireNonNull(getCause(), "every failure has a cause");
+        return cause instanceof FailedEvaluationException inner ? inner.thrown() : cause;
     }
 }

@@ -9,6 +9,7 @@ import mmneat.evolution.TugSettings.Option;
 import mmneat.nsga2.Crowding;
 import mmneat.nsga2.NondominatedSorting;
 import mmneat.nsga2.SurvivorSelection;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Targeting unachieved goals (TUG): a policy that gives selection only the objectives whose goals the population has
@@ -59,7 +60,7 @@ public final class Tug {
      *
      * @throws IllegalArgumentException if it has another number of goals
      */
-    void requireFitting(TugState state) {
+    void requireFitting(@Nullable TugState state) {
         if (state == null || state.goals().size() != settings.objectives()) {
             throw new IllegalArgumentException("TUG has " + settings.objectives() + " objectives, the state has "
                     + (state == null ? "no" : state.goals().size()) + " goals");

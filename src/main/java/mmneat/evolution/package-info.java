@@ -14,4 +14,7 @@
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 5.2; docs/specification/evolution.md, sections 1 and 3.
  */
+@NullMarked
 package mmneat.evolution;
+
+import org.jspecify.annotations.NullMarked;

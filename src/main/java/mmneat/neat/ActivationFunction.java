@@ -2,6 +2,7 @@ package mmneat.neat;
 
 import java.util.List;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The function that turns a neuron's sum into its activation: one of five built-in ones, which {@code
@@ -40,9 +41,9 @@ public final class ActivationFunction {
     private final String name;
 
     /** Null if it is built-in or its class has not been loaded. */
-    private final NeuronFunction function;
+    private final @Nullable NeuronFunction function;
 
-    private ActivationFunction(int code, String name, NeuronFunction function) {
+    private ActivationFunction(int code, String name, @Nullable NeuronFunction function) {
         this.code = code;
         this.name = name;
         this.function = function;
@@ -141,9 +142,10 @@ public final class ActivationFunction {
      */
     public double ofOwn(double sum) {
         requireBound();
+        NeuronFunction own = Objects.requireNonNull(function, "a built-in function is computed elsewhere");
         double activation;
         try {
-            activation = function.of(sum);
+            activation = own.of(sum);
         } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
             throw new BadPartException(described(), e);
         }

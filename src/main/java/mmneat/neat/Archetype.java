@@ -116,7 +116,7 @@ public final class Archetype {
         NodeGene previous = entries.get(position - 1);
         int shadowPosition = previous.type() == NodeType.INPUT
                 ? firstShadowOrOutput()
-                : indexOf(shadows.get(previous.innovation())) + 1;
+                : indexOf(Objects.requireNonNull(shadows.get(previous.innovation()))) + 1;
         entries.add(
                 shadowPosition,
                 new NodeGene(shadowInnovation, neuron.type(), neuron.activation(), neuron.frozen(), true));

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * A mutable genotype. Reproduction copies a parent ({@link #copyOf}), mutation operators change the copy, and {@link
@@ -59,7 +60,8 @@ public final class GenotypeDraft {
         int active = 0;
         for (int i = 0; i < links.size(); i++) {
             if (links.get(i).active()) {
-                sourcePosition[i] = positions.get(links.get(i).source());
+                sourcePosition[i] =
+                        Objects.requireNonNull(positions.get(links.get(i).source()));
                 groupEnd[sourcePosition[i] + 1]++;
                 active++;
             }

@@ -11,4 +11,7 @@
  * J. Schrum and R. Miikkulainen, version of February 2016. It departs from the published algorithm in several places,
  * listed in section 2.6 there; {@link mmneat.nsga2.Crowding} offers both forms of the most important one.
  */
+@NullMarked
 package mmneat.nsga2;
+
+import org.jspecify.annotations.NullMarked;

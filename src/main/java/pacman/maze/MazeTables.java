@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A maze and everything that is known about it in advance. Immutable, shared by any number of games and threads; the
@@ -23,9 +24,9 @@ public final class MazeTables {
      * Each is made once under the lock. The objects are immutable with final fields, or written before they are
      * published through the volatile field.
      */
-    private volatile MazeDistances distances;
-    private volatile MazePaths paths;
-    private volatile PillOrder pillOrder;
+    private volatile @Nullable MazeDistances distances;
+    private volatile @Nullable MazePaths paths;
+    private volatile @Nullable PillOrder pillOrder;
 
     private final Map<Object, Object> derived = new ConcurrentHashMap<>();
 

@@ -159,7 +159,7 @@ public final class WalkTables {
         private final int[] visits;
         private int junctionsNow;
         private int mostJunctions;
-        private List<long[]> walks;
+        private List<long[]> walks = new ArrayList<>();
         private int from;
         private int explored;
 

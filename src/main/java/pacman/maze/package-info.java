@@ -26,4 +26,7 @@
  *
  * <p>Source: docs/specification/simulator.md, sections 1 and 4.
  */
+@NullMarked
 package pacman.maze;
+
+import org.jspecify.annotations.NullMarked;

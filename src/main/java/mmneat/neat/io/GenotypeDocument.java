@@ -12,6 +12,7 @@ import mmneat.neat.LinkGene;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
 import mmneat.neat.NodeType;
+import org.jspecify.annotations.Nullable;
 
 /** The JSON document of a genotype, with its fields in order; docs/genotype-format.md describes them. */
 @JsonPropertyOrder({
@@ -127,7 +128,9 @@ record GenotypeDocument(
             @JsonProperty(required = true) long innovation,
             @JsonProperty(required = true) String type,
             @JsonProperty(required = true) String activation,
-            @JsonInclude(JsonInclude.Include.NON_NULL) Boolean frozen) {
+
+            @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable
+            Boolean frozen) {
 
         static Node of(NodeGene gene) {
             return new Node(
@@ -171,7 +174,9 @@ record GenotypeDocument(
             @JsonProperty(required = true) double weight,
             @JsonProperty(required = true) boolean active,
             @JsonProperty(required = true) boolean recurrent,
-            @JsonInclude(JsonInclude.Include.NON_NULL) Boolean frozen) {
+
+            @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable
+            Boolean frozen) {
 
         static Link of(LinkGene gene) {
             return new Link(

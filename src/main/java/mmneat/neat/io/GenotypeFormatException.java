@@ -1,6 +1,7 @@
 package mmneat.neat.io;
 
 import java.io.IOException;
+import org.jspecify.annotations.Nullable;
 
 /** Thrown when a file has an invalid format. The message is one line: where in the file, and what is wrong. */
 public final class GenotypeFormatException extends IOException {
@@ -9,7 +10,7 @@ public final class GenotypeFormatException extends IOException {
         super(message);
     }
 
-    public GenotypeFormatException(String message, Throwable cause) {
+    public GenotypeFormatException(@Nullable String message, Throwable cause) {
         super(message, cause);
     }
 }

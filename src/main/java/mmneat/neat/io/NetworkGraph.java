@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.IntStream;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
@@ -73,7 +74,10 @@ record NetworkGraph(String title, List<Neuron> neurons, List<Link> links, List<S
         List<Link> links = new ArrayList<>();
         for (LinkGene gene : genotype.links()) {
             if (gene.active()) {
-                links.add(new Link(positions.get(gene.source()), positions.get(gene.target()), gene.weight()));
+                links.add(new Link(
+                        Objects.requireNonNull(positions.get(gene.source())),
+                        Objects.requireNonNull(positions.get(gene.target())),
+                        gene.weight()));
             }
         }
         String title = "Network " + genotype.id() + ": " + genotype.inputs() + " inputs, " + genotype.hidden()

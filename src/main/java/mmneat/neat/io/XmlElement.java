@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import javax.xml.XMLConstants;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
@@ -86,7 +87,7 @@ record XmlElement(String name, Map<String, String> attributes, List<XmlElement> 
                 }
             }
         }
-        return root;
+        return Objects.requireNonNull(root, "a document has an element");
     }
 
     private static XmlElement elementAt(XMLStreamReader reader) {

@@ -6,4 +6,7 @@
  *
  * <p>Source: docs/genotype-format.md; docs/specification/networks.md, section 12.
  */
+@NullMarked
 package mmneat.neat.io;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.ModuleLayout;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A genotype compiled for activation: immutable, and shared by any number of {@link NetworkState}s and threads.
@@ -95,7 +96,7 @@ public final class Network {
 
     final double[] linkWeight;
     /** Function of each slot; null if all are tanh. */
-    final ActivationFunction[] functions;
+    final ActivationFunction @Nullable [] functions;
 
     Network(
             Genotype genotype,
@@ -107,7 +108,7 @@ public final class Network {
             int[] linkStart,
             int[] linkSource,
             double[] linkWeight,
-            ActivationFunction[] functions) {
+            ActivationFunction @Nullable [] functions) {
         this.inputs = genotype.inputs();
         this.layout = genotype.layout();
         this.slotOfNode = slotOfNode;

@@ -7,6 +7,7 @@ import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Turns one genotype into a {@link Network}; used once. Time is linear in nodes and links: everything is sorted by
@@ -335,7 +336,7 @@ final class NetworkCompiler {
         return link;
     }
 
-    private ActivationFunction[] functions(int[] nodeOfSlot) {
+    private ActivationFunction @Nullable [] functions(int[] nodeOfSlot) {
         List<NodeGene> genes = genotype.nodes();
         boolean allTanh = true;
         ActivationFunction[] functions = new ActivationFunction[nodeOfSlot.length];

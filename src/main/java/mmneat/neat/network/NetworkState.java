@@ -3,6 +3,7 @@ package mmneat.neat.network;
 import java.util.Arrays;
 import mmneat.random.Argmax;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The mutable activations of one running copy of a {@link Network}, and a count of how often each module was chosen.
@@ -38,7 +39,7 @@ public final class NetworkState {
     /** Sum or activation of each preference neuron while the module is chosen. */
     private final double[] preferences;
     /** How modules are chosen if not by plain preference, else null. */
-    private final ModuleArbiter arbiter;
+    private final @Nullable ModuleArbiter arbiter;
 
     private int presetModule;
     private int lastModule;

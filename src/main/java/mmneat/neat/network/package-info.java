@@ -13,4 +13,7 @@
  *
  * <p>Source: docs/specification/networks.md, sections 5 and 6.
  */
+@NullMarked
 package mmneat.neat.network;
+
+import org.jspecify.annotations.NullMarked;

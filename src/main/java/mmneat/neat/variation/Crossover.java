@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import mmneat.neat.Archetype;
 import mmneat.neat.GenotypeDraft;
@@ -14,6 +15,7 @@ import mmneat.neat.LinkGene;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 
 /**
  * NEAT's crossover: crosses two networks gene by gene. Genes that both parents have are swapped with probability 1/2.
@@ -33,11 +35,12 @@ import mmneat.random.ResumableRandom;
 record Crossover(double excessRate) implements CrossoverOperator {
 
     /** The links of two parents that represent the same structure; one is null if a parent lacks it. */
-    private record Pair(LinkGene ofA, LinkGene ofB) {
+    private record Pair(@Nullable LinkGene ofA, @Nullable LinkGene ofB) {
 
         /** Whether one of the end points, the same for both, is among some neurons. */
         boolean touches(Set<Long> neurons) {
-            return neurons.contains(ofA.source()) || neurons.contains(ofA.target());
+            LinkGene link = ofA != null ? ofA : Objects.requireNonNull(ofB);
+            return neurons.contains(link.source()) || neurons.contains(link.target());
         }
     }
 

@@ -7,4 +7,7 @@
  * <p>Source: Stanley and Miikkulainen 2002 (NEAT); Schrum and Miikkulainen 2016 (modules);
  * docs/specification/networks.md.
  */
+@NullMarked
 package mmneat.neat.variation;
+
+import org.jspecify.annotations.NullMarked;
