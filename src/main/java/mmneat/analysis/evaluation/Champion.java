@@ -46,10 +46,10 @@ public record Champion(
     }
 
     /**
-     * Refuses a network that cannot play because its activation function is a class that the user has not allowed to
+     * Checks that the network can play: none of its activation functions is a class that the user has not allowed to
      * load.
      *
-     * @throws UserError if so
+     * @throws UserError if one is; the message says how to allow it
      */
     public void requireActivation() {
         OwnActivation.requireBound(genotype, file, parameters.getOrDefault("jar", ""));

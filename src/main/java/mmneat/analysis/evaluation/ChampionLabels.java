@@ -55,7 +55,7 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
     /**
      * Returns the names for a network that plays Ms.&nbsp;Pac-Man. Modules are numbered from 1. If a division chooses
      * modules, or groups of modules in a hybrid, the name of a module also says in which situation the division chooses
-     * it or its group, for example "module 2: some ghost edible".
+     * it or its group, for example "module 2: a ghost edible".
      */
     public static NetworkLabels of(MsPacManTaskSettings settings, ModuleLayout layout) {
         boolean divided = layout.isDivided() && settings.division() != null;

@@ -75,8 +75,8 @@ public final class ExperimentReport {
     }
 
     /**
-     * Draws the figures of each version of the task: learning curves and module use. Apart from {@link #html}, so that
-     * the caller can save them as files, too.
+     * Draws the figures of each version of the task: learning curves and module use. The caller passes them to {@link
+     * #html}, and can save them as files, too.
      */
     public List<Figure> figures() {
         List<Figure> figures = new ArrayList<>();

@@ -16,8 +16,8 @@ import mmneat.experiment.UserError;
  * The manifest of one experiment for Kubernetes: an Indexed Job (batch/v1) with one pod per run.
  *
  * <p>The jar and the results are on a persistent volume that every pod mounts at the job's working folder. A pod that
- * is evicted gets SIGTERM, saves, and is replaced without counting as a failure; exit code 2 (an error in the words)
- * fails the run immediately; other failures are tried again three times per run.
+ * is evicted gets SIGTERM, saves, and is replaced without counting as a failure; exit code 2 (an error in the
+ * parameters) fails the run immediately; other failures are tried again three times per run.
  */
 public final class KubernetesManifest {
 

@@ -5,8 +5,8 @@ import java.util.stream.Collectors;
 import mmneat.experiment.UserError;
 
 /**
- * The check that the command line allows the classes that the parameters name. It loads no class; {@link OwnClasses}
- * loads them after this check.
+ * The check that the command line allows the classes that the parameters name. It runs nothing of them; {@link
+ * OwnClasses} loads them after this check.
  *
  * <p>A parameter file may come from another person, for example with the folder of a run. A class that only such a file
  * names must not be executed. A class is allowed in two cases. First, the command line gives {@code jar=}, also with an

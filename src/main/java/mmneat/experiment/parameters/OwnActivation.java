@@ -8,7 +8,10 @@ import mmneat.neat.BadPartException;
 import mmneat.neat.Genotype;
 import mmneat.neat.NeuronFunction;
 
-/** The parameter {@code activation}: an activation function that is a class of the user's own. */
+/**
+ * Loader of activation functions that are classes of the user's own. The parameter {@code activation} names one for an
+ * evolution; the file of a network names those of its neurons.
+ */
 public final class OwnActivation {
 
     private static final String NAME = "activation";
@@ -33,7 +36,8 @@ public final class OwnActivation {
     }
 
     /**
-     * Returns a network with its activation functions loaded, so that it can be activated.
+     * Returns a network with its activation functions loaded, so that it can be activated. A network that was read from
+     * a file has only the names of the user's own functions.
      *
      * @param jar the jar or folder with their classes, named by the user
      * @throws UserError if a class cannot be used as an activation function
@@ -44,11 +48,12 @@ public final class OwnActivation {
     }
 
     /**
-     * Refuses a network that cannot be activated because code would have to be loaded that the user has not allowed.
+     * Checks that a network can be activated without loading code that the user has not allowed: all its activation
+     * functions are built in or loaded.
      *
      * @param file the network's file, for the message
      * @param jar the jar that the parameters of its run name; empty if they name none
-     * @throws UserError if so, saying how to allow it
+     * @throws UserError if a function is not loaded; the message says how to allow it
      */
     public static void requireBound(Genotype genotype, Path file, String jar) {
         SortedSet<String> names = genotype.unboundFunctions();

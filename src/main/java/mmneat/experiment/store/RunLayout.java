@@ -34,7 +34,7 @@ public final class RunLayout {
     /** The newest checkpoint. */
     public static final String CHECKPOINT = "checkpoint.json.gz";
 
-    /** The checkpoint before. */
+    /** The last synced checkpoint before the newest one ({@link CheckpointFile}). */
     public static final String PREVIOUS_CHECKPOINT = "checkpoint-previous.json.gz";
 
     /**

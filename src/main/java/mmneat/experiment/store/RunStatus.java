@@ -16,7 +16,7 @@ import mmneat.experiment.PlainText;
 /**
  * The progress of a run, written to {@code status.json} for other programs. Nothing is resumed from it.
  *
- * @param state the activity of the run when it wrote this
+ * @param state the state of the run when it wrote this
  * @param generation number of complete generations
  * @param generations number of requested generations
  * @param best score of the champion of the last complete generation; NaN before the first

@@ -8,7 +8,8 @@ import pacman.game.Game;
 
 /**
  * A skeleton to start your own ghost team from, for contests by the rules of the Ms.&nbsp;Pac-Man versus Ghosts
- * competition. As it stands, the map of moves is empty, and ghosts without a move go straight on.
+ * competition. As it stands, the map of moves is empty. Ghosts without a move go straight on, and at a wall in a random
+ * direction other than back.
  *
  * <p>To use it, copy the class into a project of your own, which needs only {@code mmneat-simulator.jar}. Fill {@link
  * #getMove}: put a move for each ghost into the map in every step in which {@code game.doesGhostRequireAction(ghost)}
@@ -24,7 +25,8 @@ public class MyGhosts extends Controller<EnumMap<GHOST, MOVE>> {
      *
      * @param game a copy of the game, which may be advanced to look ahead
      * @param timeDue time in milliseconds (as {@link System#currentTimeMillis}) by which the answer is due; -1 for none
-     * @return a move for each ghost; a ghost without a move goes straight on
+     * @return a move for each ghost; a ghost without a move, or whose move is closed or leads back, goes straight on,
+     *     and at a wall in a random direction
      */
     @Override
     public EnumMap<GHOST, MOVE> getMove(Game game, long timeDue) {

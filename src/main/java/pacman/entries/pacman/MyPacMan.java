@@ -21,7 +21,7 @@ public class MyPacMan extends Controller<MOVE> {
      *
      * @param game a copy of the game, which may be advanced to look ahead
      * @param timeDue time in milliseconds (as {@link System#currentTimeMillis}) by which the answer is due; -1 for none
-     * @return a direction; if it is closed or {@code NEUTRAL}, she goes straight on
+     * @return a direction; if it is closed or {@code NEUTRAL}, she goes straight on, and at a wall she stops
      */
     @Override
     public MOVE getMove(Game game, long timeDue) {
