@@ -1,7 +1,7 @@
 @echo off
 rem Runs MM-NEAT from a checkout on Windows: builds the jar when it is missing, then hands all words on.
 rem   scripts\mmneat task=blended runs=2
-rem After a change of the sources, build it anew: mvnw -Dmaven.test.skip=true package
+rem After a change of the sources, build it again: mvnw -Dmaven.test.skip=true package
 setlocal
 set "home=%~dp0.."
 set "jar=%home%\target\mmneat.jar"

@@ -8,14 +8,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Rules of style that a program can check: vague pronouns, long lines and long sentences. CONTRIBUTING.md has the
- * rules.
+ * Rules of style that a program can check: vague words, long lines and long sentences. CONTRIBUTING.md has the rules.
  *
  * <p>The specification is exempt from the length of sentences: a rule with all its conditions may be one sentence.
  */
@@ -33,25 +34,44 @@ class PlainLanguageTest {
                     + "(?:(?:public|protected|private|static|final|abstract|sealed|non-sealed)\\s+)*"
                     + "(?:class|record|enum|interface|package)\\s");
 
-    private static final Pattern VAGUE = Pattern.compile("(?i)\\b(?:some|no|any)body\\b|\\bwhoever\\b");
+    /** Vague pronouns, and phrases with a plainer form: only, again, slightly, the user's own, overrides, is not a. */
+    private static final Pattern VAGUE = Pattern.compile("(?i)\\b(?:some|no|any)body\\b|\\bwhoever\\b|\\bsomeone\\b"
+            + "|\\bnothing but\\b|\\banew\\b|\\bsomewhat\\b|\\bone's own\\b|\\bbecomes? of\\b|\\bgo(?:es)? before\\b"
+            + "|\\bnot go (?:with|together)\\b|(?<!\\bthere )\\b(?:is|are) no (?!longer\\b|more\\b|\\W)");
 
     /** A string or a comment of a Java file; strings are skipped, since they may hold what looks like a comment. */
     private static final Pattern COMMENT =
             Pattern.compile("\"(?:\\\\.|[^\"\\\\\\n])*\"|'(?:\\\\.|[^'\\\\\\n])'|(?s:/\\*.*?\\*/)|//[^\\n]*");
 
     @Test
-    void documents_useNoVaguePronouns() throws IOException {
+    void documents_useNoVagueWords() throws IOException {
         assertThat(findings(documents(), text -> text, VAGUE)).isEmpty();
     }
 
     @Test
-    void commentsOfTheProgram_useNoVaguePronouns() throws IOException {
+    void commentsOfTheProgram_useNoVagueWords() throws IOException {
         assertThat(findings(files("src", ".java"), PlainLanguageTest::comments, VAGUE))
                 .isEmpty();
     }
 
     @Test
-    void commentsOfScripts_useNoVaguePronouns() throws IOException {
+    void messagesOfTheProgram_useNoVagueWords() throws IOException {
+        assertThat(findings(files("src/main/java", ".java"), PlainLanguageTest::strings, VAGUE))
+                .isEmpty();
+    }
+
+    @Test
+    void pagesOfTheProgram_useNoVagueWords() throws IOException {
+        List<Path> pages = new ArrayList<>();
+        for (String ending : List.of(".html", ".css", ".js")) {
+            pages.addAll(files("src/main/resources", ending));
+        }
+        assertThat(pages).isNotEmpty();
+        assertThat(findings(pages, text -> text, VAGUE)).isEmpty();
+    }
+
+    @Test
+    void commentsOfScripts_useNoVagueWords() throws IOException {
         List<Path> scripts = new ArrayList<>(files("scripts", ""));
         scripts.addAll(files(".ci", ""));
         assertThat(scripts).isNotEmpty();
@@ -139,14 +159,19 @@ class PlainLanguageTest {
     }
 
     private static String comments(String java) {
-        StringBuilder comments = new StringBuilder();
-        Matcher matcher = COMMENT.matcher(java);
-        while (matcher.find()) {
-            if (matcher.group().startsWith("/")) {
-                comments.append(matcher.group()).append('\n');
-            }
-        }
-        return comments.toString();
+        return parts(java, true);
+    }
+
+    private static String strings(String java) {
+        return parts(java, false);
+    }
+
+    private static String parts(String java, boolean areComments) {
+        return COMMENT.matcher(java)
+                .results()
+                .map(MatchResult::group)
+                .filter(part -> part.startsWith("/") == areComments)
+                .collect(Collectors.joining("\n"));
     }
 
     private static List<String> findings(List<Path> files, UnaryOperator<String> extract, Pattern pattern)
@@ -154,13 +179,14 @@ class PlainLanguageTest {
         List<String> findings = new ArrayList<>();
         for (Path file : files) {
             // Text in code signs is a mention, not a use.
-            String text = extract.apply(Files.readString(file)).replaceAll("`[^`\n]*`", "");
+            String text = extract.apply(Files.readString(file))
+                    .replaceAll("`[^`\n]*`", "")
+                    .replaceAll("\\s*\n\\s*(?:\\*|//|#)?\\s*", " ");
             Matcher matcher = pattern.matcher(text);
             while (matcher.find()) {
                 int start = Math.max(0, matcher.start() - 40);
                 findings.add(PROJECT.relativize(file) + ": "
-                        + text.substring(start, Math.min(text.length(), matcher.end() + 20))
-                                .replaceAll("\\s+", " "));
+                        + text.substring(start, Math.min(text.length(), matcher.end() + 20)));
             }
         }
         return findings;

@@ -107,8 +107,8 @@ public final class Main implements Callable<Integer> {
     }
 
     /**
-     * Runs a command and reports if its output could not be written. A pipe that was closed by its reader is no
-     * failure.
+     * Runs a command and reports if its output could not be written. A pipe that was closed by its reader is not
+     * a failure.
      *
      * @return the exit code of the command; 2 if it succeeded but its output could not be written
      */

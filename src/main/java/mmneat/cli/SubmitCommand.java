@@ -273,7 +273,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
             }
             return place.toAbsolutePath();
         } catch (URISyntaxException e) {
-            throw new IllegalStateException("a class was loaded from a place that is no file", e);
+            throw new IllegalStateException("a class was loaded from a place that is not a file", e);
         }
     }
 }

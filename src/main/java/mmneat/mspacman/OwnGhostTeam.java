@@ -10,8 +10,8 @@ import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
 /**
- * A ghost team of the user's own, for example an entry of a contest, made anew for each game: a game then depends on no
- * game before it.
+ * A ghost team of the user's own, for example an entry of a contest. A new team is created for each game, so that a
+ * game does not depend on earlier games.
  */
 public final class OwnGhostTeam extends NewGhostController {
 

@@ -198,7 +198,7 @@ public final class HeadlessChromium implements AutoCloseable {
         Files.write(file, png);
     }
 
-    /** Console errors and warnings, exceptions, and requests for anything but files and inline data. */
+    /** Console errors and warnings, exceptions, and requests except those for files and inline data. */
     public List<String> complaints() {
         return List.copyOf(complaints);
     }

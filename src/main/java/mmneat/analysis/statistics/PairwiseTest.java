@@ -18,7 +18,7 @@ import org.apache.commons.statistics.inference.PValueMethod;
  * @param method how p was computed
  * @param p two-sided; NaN if all values are equal
  * @param effectSize Vargha and Delaney's A: the probability that a value of the first sample is the larger, ties
- *     counted half; 0.5 is no effect
+ *     counted half; 0.5 means no effect
  */
 public record PairwiseTest(String a, String b, double u, boolean ties, Method method, double p, double effectSize) {
 

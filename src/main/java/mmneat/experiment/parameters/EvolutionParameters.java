@@ -71,7 +71,7 @@ public record EvolutionParameters(
         String selection,
         String jar) {
 
-    /** NEAT's crossover, the value of {@code crossover} that is no class of the user's own. */
+    /** NEAT's crossover, the only value of {@code crossover} that is not a class of the user's own. */
     private static final String NEAT_CROSSOVER = "TWEANNCrossover";
 
     private static final Pattern OWN_MUTATION = Pattern.compile("(.+):([^:]+)");
@@ -164,7 +164,7 @@ public record EvolutionParameters(
     void requireConsistent() {
         if (!activation.isBlank() && ftype != ActivationFunction.TANH.code()) {
             throw new UserError(
-                    "activation=" + activation + " does not go with ftype=" + ftype + ": leave one of them out");
+                    "activation=" + activation + " cannot be combined with ftype=" + ftype + "; leave one of them out");
         }
         if (!moduleGroups.isEmpty()) {
             requireGroups();

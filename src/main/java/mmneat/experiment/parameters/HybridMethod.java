@@ -104,7 +104,7 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
     /**
      * The method that a run's parameters describe.
      *
-     * @param moduleGroups the parameter of that name; empty if the run is no hybrid
+     * @param moduleGroups the parameter of that name; empty if the run is not a hybrid
      * @param canAddModules whether modules are added by mutation
      */
     static Optional<String> name(String moduleGroups, boolean canAddModules) {
@@ -116,7 +116,7 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
     /**
      * The numbers of modules that the parameter {@code moduleGroups} names.
      *
-     * @throws UserError if it is no such list
+     * @throws UserError if it is not such a list
      */
     static List<Integer> sizes(String moduleGroups) {
         if (!SIZES.matcher(moduleGroups).matches()) {

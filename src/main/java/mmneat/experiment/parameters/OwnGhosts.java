@@ -20,7 +20,7 @@ final class OwnGhosts {
 
     private OwnGhosts() {}
 
-    /** @throws UserError if the class is no controller of the ghosts or cannot be made */
+    /** @throws UserError if the class is not a controller of the ghosts or cannot be created */
     static Supplier<NewGhostController> factory(String className, OwnClasses classes) {
         requireGhosts(className, classes.find(NAME, className, Controller.class));
         Supplier<Controller<EnumMap<GHOST, MOVE>>> teams = () -> team(className, classes);

@@ -110,7 +110,7 @@ public final class ParameterReader {
                 value = isNamedHybrid(word) ? word.value() : word.canonicalFor(parameter);
                 if (word.isMisleading(parameter)) {
                     remarks.add("'" + text + "' means " + word.name()
-                            + "=false: in the form with a colon, as in the original, anything but true is false");
+                            + "=false: in the form with a colon, as in the original, every value except true is false");
                 }
             }
             String before = layer.get(word.name());

@@ -32,7 +32,7 @@ public enum ParameterType {
     /**
      * Returns the canonical form of a value: equal values have equal texts.
      *
-     * @throws IllegalArgumentException if the text is no value of this type
+     * @throws IllegalArgumentException if the text is not a value of this type
      */
     String canonical(String text) {
         return switch (this) {

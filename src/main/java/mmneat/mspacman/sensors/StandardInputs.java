@@ -43,7 +43,7 @@ final class StandardInputs {
     }
 
     /**
-     * Whether a choice of sensors has no directional ones but those that are written here, before those of one's own.
+     * Whether a choice of sensors has, besides the user's own, only directional sensors that this class computes.
      */
     static boolean serve(SensorSettings settings) {
         return settings.junctionsToSense() == 1

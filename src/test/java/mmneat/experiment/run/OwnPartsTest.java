@@ -208,7 +208,8 @@ class OwnPartsTest {
                 "mutations=WeightDecay:2: must be the name of a class and its rate from 0 to 1, such as my.Operator:0.1",
                 "mutations=WeightDecay:2");
         assertMistake("mutations=my.NoName:1: logName() must be one word, is 'two words'", "mutations=my.NoName:1");
-        assertMistake("activation=Sine does not go with ftype=2: leave one of them out", "activation=Sine", "ftype=2");
+        assertMistake(
+                "activation=Sine cannot be combined with ftype=2; leave one of them out", "activation=Sine", "ftype=2");
         assertMistake("activation=my.Lock: needs a public constructor without arguments", "activation=my.Lock");
         assertMistake(
                 "activation function my.Log: gave -Infinity for the sum 0.0; it must give a finite number",
