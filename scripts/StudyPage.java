@@ -23,8 +23,8 @@ import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.Sample;
 
 /**
- * Writes the numbers and pictures of docs/reproduction.md from the runs in docs/study: everything between the two marks.
- * Started by {@code scripts/study page}.
+ * Writes the numbers and pictures of docs/reproduction.md from the runs in docs/study: everything between the two
+ * marks. Started by {@code scripts/study page}.
  */
 public final class StudyPage {
 

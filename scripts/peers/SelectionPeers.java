@@ -18,8 +18,8 @@ import org.uma.jmetal.util.densityestimator.impl.CrowdingDistanceDensityEstimato
 import org.uma.jmetal.util.ranking.impl.MergeNonDominatedSortRanking;
 
 /**
- * Times survivor selection (the better half of a random population, crowding per front) of three Java libraries in turns, in one
- * JVM and one thread. Prints the median and the quartiles in milliseconds.
+ * Times survivor selection (the better half of a random population, crowding per front) of three Java libraries in
+ * turns, in one JVM and one thread. Prints the median and the quartiles in milliseconds.
  */
 public final class SelectionPeers {
 

@@ -31,9 +31,9 @@ import pacman.game.GameView;
  * continues with the last answer. Views are shown only if there is a display.
  *
  * <p>To measure a controller, begin with {@link #runExperiment(Supplier, Supplier, int, long)}: it gives each game new
- * controllers, so that games do not affect each other, and returns the scores. The methods that take a {@link Game}
- * play one game by the rules of that game. The other methods are those of the competition's programming interface: they
- * play with the competition's rules and a fixed seed, and return no scores.
+ * controllers, so that games do not affect each other, and returns the scores. A variant of it also takes the rules.
+ * The methods that take a {@link Game} play one game by the rules of that game. The other methods are those of the
+ * competition's programming interface: they play with the competition's rules and a fixed seed, and return no scores.
  *
  * <p>Source: the programming interface of the competition, release 6.2, and the variants that MM-NEAT added, which take
  * the game to play ({@link pacman} explains both names); docs/specification/controllers.md, section 6.

@@ -19,7 +19,7 @@ import pacman.game.GhostMoves;
  * <p>In each tick Ms. Pac-Man's controller gets a copy of the game, then the ghosts' controller another copy of the
  * same state, then the game advances by both answers. Copying a game takes longer than advancing it. So a controller
  * that only reads the game ({@link LiveReaders}) gets the game itself instead of a copy. Such a controller draws its
- * random numbers from a scratch generator, an object of this class. Before each decision the scratch generator is set
+ * random numbers from a scratch generator, which belongs to the run. Before each decision the scratch generator is set
  * to the state that the generator of the copy would have: the answers are those that the controller gives for a copy.
  *
  * <p>Source: docs/specification/controllers.md, section 6.2.

@@ -21,8 +21,9 @@ import org.jspecify.annotations.Nullable;
  * The (mu+lambda) evolution of networks, lambda = mu, by NSGA-II, optionally with the objectives that TUG chooses. For
  * a new evolution call {@link #of}; a constructor continues from a saved {@link EvolutionState}.
  *
- * <p>Parents are evaluated again in every generation. Scores are never kept, so the scheme is elitist only with respect
- * to the current generation's noisy scores. After the last generation the final parents are evaluated once more.
+ * <p>Parents are passed to the evaluator again in every generation, so the scheme is elitist only with respect to the
+ * current generation's noisy scores. A {@link ScoreKeepingEvaluator} returns their earlier scores instead. After the
+ * last generation the final parents are evaluated once more.
  *
  * <p>Source: Schrum and Miikkulainen 2016, section 5.2; docs/specification/evolution.md, section 1.
  */

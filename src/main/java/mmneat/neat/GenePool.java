@@ -35,8 +35,8 @@ public final class GenePool {
 
     /**
      * Creates the pool of a new population whose networks all have the neurons of an example. As in the original, the
-     * archetype begins as a copy of the example, and the copy uses up one genotype id: the first individual gets the id
-     * after the next.
+     * archetype begins as a copy of the example, and the copy uses up one genotype id: if the example has the id n, the
+     * first individual gets n + 2.
      */
     public static GenePool foundedOn(Genotype example) {
         long firstFree = 0;
@@ -82,7 +82,7 @@ public final class GenePool {
         }
     }
 
-    /** Takes an innovation number for a new node or link. */
+    /** Takes an innovation number for a new node or link; both use the same counter. */
     public long takeInnovation() {
         return nextInnovation++;
     }

@@ -16,7 +16,8 @@ import java.util.function.UnaryOperator;
  *
  * <p>Immutable. Nodes are the inputs, then the hidden neurons, then the outputs. The order of links does not change the
  * network's outputs (beyond rounding), but it decides which link a random index selects. Inactive links are not part of
- * the network. Innovations of nodes and of links are separate name spaces.
+ * the network. A node and a link may have the same innovation number: new ones share one counter, but inputs, outputs
+ * and initial links are numbered downwards from -1.
  *
  * <p>Source: docs/specification/networks.md, section 3.
  */

@@ -5,8 +5,9 @@ import java.util.Objects;
 /**
  * One neuron of a genotype.
  *
- * @param innovation innovation number; negative and given by position for inputs and outputs, counted from 0 for hidden
- *     neurons
+ * @param innovation innovation number. Inputs and outputs are numbered by position: input i has -i - 1, output o of a
+ *     network with n inputs has -n - o - 1 (with the exception at {@link GenotypeDraft#nextOutputInnovation}). Hidden
+ *     neurons have numbers from 0 on, from the counter that they share with new links
  * @param type input, hidden or output
  * @param activation the neuron's activation function
  * @param frozen whether new links into this neuron are forbidden

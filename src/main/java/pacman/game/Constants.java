@@ -33,7 +33,7 @@ public final class Constants {
     public static final int LEVEL_LIMIT = 4000;
     /** Probability per step that all ghosts reverse. */
     public static final float GHOST_REVERSAL = 0.0015f;
-    /** Steps after which a game ends. */
+    /** Steps after which a game ends, under all rules. */
     public static final int MAX_TIME = 24000;
     /** Points for each life left when the game ends by {@link #MAX_TIME}. */
     public static final int AWARD_LIFE_LEFT = 800;

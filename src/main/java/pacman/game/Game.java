@@ -161,7 +161,9 @@ public final class Game {
      * @param pacManMove requested direction. If it is not open, NEUTRAL or null, she goes straight on; if that way is
      *     closed, she stops. By MM-NEAT's conventions null ends the game if this object has made more than 10 steps
      *     before the last one, that is, from the twelfth call on; before that, null is an ordinary closed direction
-     * @param ghostMoves requested directions; may be null or incomplete; afterwards it contains the moves made
+     * @param ghostMoves requested directions; may be null or incomplete; afterwards it contains the moves made. A ghost
+     *     whose request is missing, closed or back goes straight on; if that way is closed, it takes a random open
+     *     direction that is not back
      */
     public void advanceGame(MOVE pacManMove, EnumMap<GHOST, MOVE> ghostMoves) {
         if (endsByNull(pacManMove)) {
@@ -635,7 +637,7 @@ public final class Game {
         return moves().moves(nodeIndex, MOVE.NEUTRAL);
     }
 
-    /** Open directions except back; null if the node cannot be entered by that move. */
+    /** Open directions except back; all for NEUTRAL; null if the node cannot be entered by that move. */
     public MOVE[] getPossibleMoves(int nodeIndex, MOVE lastMoveMade) {
         return moves().moves(nodeIndex, lastMoveMade);
     }
@@ -645,7 +647,7 @@ public final class Game {
         return moves().neighbours(nodeIndex, MOVE.NEUTRAL);
     }
 
-    /** Neighbours except the one behind; null if the node cannot be entered by that move. */
+    /** Neighbours except the one behind; all for NEUTRAL; null if the node cannot be entered by that move. */
     public int[] getNeighbouringNodes(int nodeIndex, MOVE lastMoveMade) {
         return moves().neighbours(nodeIndex, lastMoveMade);
     }
@@ -969,10 +971,12 @@ public final class Game {
         return state.ghostRegret;
     }
 
+    /** Sum over the eaten ghosts: steps for which the ghost was still edible, times 1, 2, 4 or 8 as for its score. */
     public int getTimeGhostReward() {
         return state.timeGhostReward;
     }
 
+    /** Sum over the eaten pills, without power pills: steps that were left of the level's time limit. */
     public int getTimePillReward() {
         return state.timePillReward;
     }

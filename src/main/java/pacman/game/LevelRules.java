@@ -7,7 +7,7 @@ package pacman.game;
  *
  * @param lives lives at the start
  * @param extraLife whether 10000 points give a life, once per game
- * @param maximumLevel number of levels after which the game is over
+ * @param maximumLevel number of levels after which the game is over; {@link Integer#MAX_VALUE} for no last level
  * @param levelTimeLimit steps in a level
  * @param fatalTimeLimit whether the time limit ends the game. The engine then does nothing at the limit, as in MM-NEAT:
  *     Ms. Pac-Man's controller of the task must end the game by a null move, and other controllers may play on. If

@@ -6,12 +6,11 @@ import java.util.Arrays;
  * The ways from each node along its corridor to the next junctions. Immutable.
  *
  * <p>A node between junctions has two legs, one per direction, in the order up, right, down, left of their first moves.
- * A junction has one leg of length 0 that ends in itself. The lair has none. A leg's path lists the nodes after the
- * start, the junction last.
+ * A junction has one leg of length 0 that ends in itself. The lair has none.
  *
  * <p>Source: docs/specification/simulator.md, section 4.3 (legs).
  */
-public final class Corridors {
+final class Corridors {
 
     /** First and last move of a junction's own leg: none. */
     public static final int NO_MOVE = 4;

@@ -6,7 +6,8 @@ import java.util.Arrays;
  * A table of the steps of ghosts: from each pose, the pose after one step straight on. A pose is a node together with
  * the move that led there, in one number. Immutable.
  *
- * <p>The game keeps the positions of Ms. Pac-Man and of the ghosts as poses: a ghost in a corridor repeats its move.
+ * <p>The game keeps the positions of Ms. Pac-Man and of the ghosts as poses. A ghost in a straight part of a corridor
+ * repeats its move; at a bend, where {@link #onward} is -1, the engine takes the only direction that is not back.
  *
  * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none.
  */

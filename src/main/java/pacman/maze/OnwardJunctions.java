@@ -6,7 +6,9 @@ package pacman.maze;
  *
  * <p>A row is a pair of the next junction and the move that enters it, numbered as in {@link Routes}. A row has four
  * lanes, numbered by the moves 0 to 3 at its junction. The target of a lane is the junction that the move leads to; the
- * path to it is an onward path. No path leads back, so the lane of the way back stands for the row's own junction.
+ * path to it is an onward path. No path leads back, so the lane of the way back stands for the row's own junction. A
+ * lane of a wall has no target; methods that return sets may contain it, so combine them with {@link #moves} or {@link
+ * #ownBit}.
  *
  * <p>Methods return sets of lanes in one of two forms. <em>Bits</em> are an int with bit m for lane m. <em>Flags</em>
  * are a long with bit 16 m + 15 for lane m: this form can be computed for four lanes at once. {@link #flags} turns bits

@@ -196,7 +196,12 @@ public final class Routes {
         return leaving[4 * node + direction];
     }
 
-    /** The route that continues from a node outside the lair after a last move (4 for none) without turning back. */
+    /**
+     * The route that continues from a node outside the lair without turning back. If there are two, because there was
+     * no last move or the last move cannot have entered the node, it is the shorter one to a junction.
+     *
+     * @param lastMove 0 to 3, or 4 for none
+     */
     public long continuing(int node, int lastMove) {
         return continuing[5 * node + lastMove];
     }

@@ -149,7 +149,8 @@ public final class NetworkInputs {
     }
 
     /**
-     * Activations of the input neurons, the hyperbolic tangents of the sensors' values. They are valid for the
+     * Activations of the input neurons, the hyperbolic tangents of the sensors' values; for networks whose inputs have
+     * that activation function. Other networks get the values themselves ({@link #inputs}). They are valid for the
      * directions for which {@link #sense} was called in this time step; other directions have old values.
      *
      * @return input i for direction d at index d n + i, where n is the number of sensors; valid until the next step

@@ -26,13 +26,13 @@ public enum SensorGroup {
     /** Edible time against distance of the nth nearest ghost; needs {@link #NEAREST_GHOSTS} ({@code eTimeVsGDis}). */
     TIME_VERSUS_DISTANCE,
     /**
-     * Whether the nth nearest ghost is edible; needs {@link #NEAREST_GHOSTS}. Sensed where ghosts are not imprisoned
-     * while others are edible ({@code imprisonedWhileEdible}).
+     * Whether the nth nearest ghost is edible; needs {@link #NEAREST_GHOSTS}. The command line adds this group only to
+     * games in which ghosts are not imprisoned while others are edible ({@code imprisonedWhileEdible}).
      */
     EDIBLE,
     /**
-     * Proportions of edible ghosts and of edible time; sensed unless ghosts stay edible for ever ({@code
-     * infiniteEdibleTime}).
+     * Proportions of edible ghosts and of edible time. The command line adds this group unless ghosts stay edible for
+     * ever ({@code infiniteEdibleTime}).
      */
     EDIBLE_PROPORTIONS,
     /** Number of safe moves at the next junction, {@link OptionsAfterJunction} ({@code highLevel}). */

@@ -80,8 +80,8 @@ public final class Tanh {
     private static final int LARGEST_K = 19;
 
     /**
-     * Per row: M, F, G, N, P, D, s; N, P and D with the signs that make the result sign(x) tanh a. Row 4k + 2[x < 0] +
-     * [a >= 1].
+     * Per row: M, F, G, N, P, D, s; N, P and D with the signs that make the result sign(x) tanh a. Row 4k + 2[x &lt; 0]
+     * + [a &ge; 1].
      */
     private static final double[] CASES = cases();
 

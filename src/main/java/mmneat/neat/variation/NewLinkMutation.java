@@ -10,8 +10,8 @@ import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 
 /**
- * Links a random neuron to a random neuron that has outgoing links or is an output. If the two are already linked,
- * nothing is added and there is no second attempt.
+ * Adds a link from a random neuron to a random target. Targets are outputs, and hidden neurons that have outgoing
+ * links; frozen neurons are none. If the two are already linked, nothing is added and there is no second attempt.
  *
  * <p>Source: docs/specification/networks.md, section 8.3.
  */
