@@ -10,9 +10,8 @@ package pacman.maze;
 public final class ApproachTables {
 
     /*
-     * What follows at the end of a route's corridor depends on the route's row alone: so the neighbours are known for
-     * every row and target, about 160 rows of 1300 bytes. Rows of one target lie side by side: the ghosts' paths have
-     * the same target.
+     * A path comes to its target from one of the ends of the target's corridor, which the lengths tell. So it passes
+     * the neighbour on that side. Where that is not all, the neighbours are looked up by row and target.
      */
 
     private static final int LENGTH_BITS = 11;
@@ -27,6 +26,13 @@ public final class ApproachTables {
 
     /** Neighbours on the path from row r's junction to node v, as bits, at index rows v + r. */
     private final byte[] entered;
+
+    /**
+     * For a node in a corridor: bit 0 is set if its first leg leads to the corridor's lower end; from bit 1 on follows
+     * the direction to the lower end, as four bits, and from bit 5 on that to the upper end. 0 for all other nodes, and
+     * for nodes where a path passes other neighbours, too.
+     */
+    private final short[] sides;
 
     /** The approaches of a maze. */
     public ApproachTables(MazeTables maze) {
@@ -43,6 +49,39 @@ public final class ApproachTables {
         }
         entered = new byte[routes.rowCount() * graph.nodeCount()];
         fillEntered();
+        sides = new short[graph.nodeCount()];
+        for (int target = 0; target < graph.lair(); target++) {
+            if (!graph.isJunction(target)) {
+                sides[target] = (short) findSides(target);
+            }
+        }
+    }
+
+    private int findSides(int target) {
+        Corridors corridors = paths.corridors();
+        boolean lowerFirst = !corridors.isAscending(target, 0);
+        int first = 1 << corridors.firstMove(target, 0);
+        int second = 1 << corridors.firstMove(target, 1);
+        int found = lowerFirst ? 1 | first << 1 | second << 5 : second << 1 | first << 5;
+        for (int row = 0; row < routes.rowCount(); row++) {
+            int ends = paths.ends(row, routes.place(target));
+            if (ends >= 0 && neighbour(ends, target, found) != entered[index(row, target)]) {
+                return 0;
+            }
+        }
+        return found;
+    }
+
+    /** Returns the neighbour on the side from which a path comes, as a bit. */
+    private int neighbour(int ends, int target, int side) {
+        int at = Routes.position(routes.place(target));
+        return MazePaths.isByLower((ends >> 16) + at, (ends & 0xFFFF) - at, (side & 1) != 0)
+                ? side >> 1 & 0xF
+                : side >> 5;
+    }
+
+    private int index(int row, int target) {
+        return target * routes.rowCount() + row;
     }
 
     private void fillEntered() {
@@ -63,7 +102,7 @@ public final class ApproachTables {
                 for (int d = 0; d < 4; d++) {
                     int neighbour = graph.neighbour(target, d);
                     if (neighbour != MazeGraph.NONE && stamps[neighbour] == stamp) {
-                        entered[target * routes.rowCount() + row] |= (byte) (1 << d);
+                        entered[index(row, target)] |= (byte) (1 << d);
                     }
                 }
             }
@@ -94,7 +133,9 @@ public final class ApproachTables {
                     : steps | neighbourBit(target, routes.corridorNode(route, steps - 1)) << LENGTH_BITS;
         }
         int row = Routes.row(route);
-        int neighbours = entered[target * routes.rowCount() + row];
+        int ends = paths.ends(row, routes.place(target));
+        int side = sides[target];
+        int neighbours = side == 0 || ends < 0 ? entered[index(row, target)] : neighbour(ends, target, side);
         if (steps > 0 && besideJunction[target]) {
             neighbours |= neighbourBit(target, junction);
         }

@@ -1,6 +1,8 @@
 package pacman.maze;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * The paths that the simulator gives to controllers and ghosts: corridor, path between two junctions, corridor. They
@@ -25,20 +27,20 @@ public final class MazePaths {
 
     private static final int[] EMPTY = {};
 
-    /** More than any length of a path; a length together with it still has its bit. */
-    private static final int OWN_JUNCTION = 1 << 14;
+    /** In {@link #ends}: more steps than any path has. */
+    private static final int NEVER = 0x3FFF;
 
     /*
      * A path that must not turn back goes along a route (Routes) to the junction at the end of its corridor. What
-     * follows depends on the route's row alone. So lengths are stored for rows only: to each junction, and to each node
-     * in a corridor that begins at the row's own junction. Any other node is reached by the shorter sum of a junction's
-     * length and the steps of a leg.
+     * follows depends on the route's row alone. A node in a corridor is then reached from one of the corridor's ends.
+     * So two numbers give the lengths to all nodes of a corridor, and only a few corridors need a closer look.
      */
     private final MazeGraph graph;
     private final MazeDistances distances;
     private final Corridors corridors;
     private final Routes routes;
     private final int junctions;
+    private final int segments;
     /**
      * Where the path from junction J by move m to junction K starts in {@link #pathNodes}; index (4 J + m) junctions +
      * K.
@@ -49,12 +51,14 @@ public final class MazePaths {
     /** Length of the undirected path between junctions J and K, index J junctions + K. */
     private final char[] undirected;
     /**
-     * Length of the path from row r's junction to junction K, index r junctions + K; {@link #OWN_JUNCTION} for the
-     * row's own. Small enough for the first-level cache, where {@link #nearby} is not.
+     * Index segments r + s: length of the path from row r's junction to position 0 of segment s by its lower end, in
+     * the upper half; in the lower half the same by its upper end. Where no such numbers give the lengths, the
+     * complement of the segment's place in {@link #irregular}.
      */
-    private final char[] toJunctions;
-    /** Length of the path from row r's junction to node v where no sum gives it, index v rows + r. */
-    private final short[] nearby;
+    private final int[] ends;
+
+    /** Lengths of the paths to one position of a segment after the other. */
+    private final int[] irregular;
 
     MazePaths(MazeGraph graph, MazeDistances distances, Corridors corridors) {
         this.graph = graph;
@@ -62,15 +66,27 @@ public final class MazePaths {
         this.corridors = corridors;
         routes = new Routes(graph, corridors);
         junctions = graph.junctionCount();
+        segments = routes.segmentCount();
         pathStart = new int[4 * junctions * junctions + 1];
         pathNodes = searchJunctionPaths();
         undirected = new char[junctions * junctions];
-        toJunctions = new char[routes.rowCount() * junctions];
-        nearby = new short[graph.nodeCount() * routes.rowCount()];
+        ends = new int[routes.rowCount() * segments];
+        List<Integer> lengths = new ArrayList<>();
         for (int row = 0; row < routes.rowCount(); row++) {
-            measureToJunctions(row);
-            measureNearby(row);
+            int first = row * segments;
+            for (int corridor = 0; corridor < corridors.count(); corridor++) {
+                ends[first + corridor] = measure(row, corridor, lengths);
+            }
+            for (int to = 0; to < junctions; to++) {
+                int own = ownJunction(row);
+                int length = to == own ? 0 : lengthOn(row, graph.junctionNode(to), choose(row, graph.junctionNode(to)));
+                ends[first + corridors.count() + to] = length << 16 | length;
+                if (routes.arrivalOfRow(row) == Routes.NEUTRAL) {
+                    undirected[own * junctions + to] = (char) length;
+                }
+            }
         }
+        irregular = lengths.stream().mapToInt(Integer::intValue).toArray();
     }
 
     private short[] searchJunctionPaths() {
@@ -98,38 +114,51 @@ public final class MazePaths {
         return Arrays.copyOf(found, size);
     }
 
-    private void measureToJunctions(int row) {
-        int own = ownJunction(row);
-        for (int to = 0; to < junctions; to++) {
-            int length = to == own ? 0 : lengthOn(row, graph.junctionNode(to));
-            toJunctions[row * junctions + to] = (char) (to == own ? OWN_JUNCTION : length);
-            if (routes.arrivalOfRow(row) == Routes.NEUTRAL) {
-                undirected[own * junctions + to] = (char) length;
+    /** Returns the entry of {@link #ends} for a row and a corridor. */
+    private int measure(int row, int corridor, List<Integer> irregularLengths) {
+        int size = corridors.size(corridor);
+        int[] choices = new int[size];
+        int[] lengths = new int[size];
+        int byLower = NEVER;
+        int byUpper = NEVER;
+        for (int at = 0; at < size; at++) {
+            int node = corridors.node(corridor, at);
+            choices[at] = choose(row, node);
+            lengths[at] = lengthOn(row, node, choices[at]);
+            if (corridors.isAscending(node, choices[at] & 1)) {
+                byUpper = lengths[at] + at;
+            } else {
+                byLower = lengths[at] - at;
             }
         }
-    }
-
-    private void measureNearby(int row) {
-        for (int target = 0; target < graph.lair(); target++) {
-            if (!graph.isJunction(target) && isNearby(row, target)) {
-                nearby[target * routes.rowCount() + row] = (short) lengthOn(row, target);
+        for (int at = 0; at < size; at++) {
+            int node = corridors.node(corridor, at);
+            boolean isByLower = isByLower(byLower + at, byUpper - at, !corridors.isAscending(node, 0));
+            if (isByLower == corridors.isAscending(node, choices[at] & 1)
+                    || lengths[at] != (isByLower ? byLower + at : byUpper - at)) {
+                int place = irregularLengths.size();
+                Arrays.stream(lengths).forEach(irregularLengths::add);
+                return ~place;
             }
         }
+        return byLower << 16 | byUpper;
     }
 
-    private boolean isNearby(int row, int target) {
-        int own = ownJunction(row);
-        return Corridors.junctionNumber(corridors.leg(target, 0)) == own
-                || Corridors.junctionNumber(corridors.leg(target, 1)) == own;
+    /**
+     * Whether a path comes to a node from the lower end of its corridor.
+     *
+     * @param lowerFirst whether the node's first leg leads there
+     */
+    static boolean isByLower(int byLower, int byUpper, boolean lowerFirst) {
+        return byLower < byUpper || byLower == byUpper && lowerFirst;
     }
 
     private int ownJunction(int row) {
         return graph.junctionNumber(routes.junctionOfRow(row));
     }
 
-    /** Length of the path from a row's junction to another node, found by comparing. */
-    private int lengthOn(int row, int target) {
-        int choice = choose(row, target);
+    /** Length of the path from a row's junction to another node, given how it goes on. */
+    private int lengthOn(int row, int target, int choice) {
         int leg = corridors.leg(target, choice & 1);
         int move = (choice >> 1) - 1;
         int between = move < 0 ? 0 : junctionPathLength(ownJunction(row), move, Corridors.junctionNumber(leg));
@@ -177,6 +206,10 @@ public final class MazePaths {
 
     public MazeGraph graph() {
         return graph;
+    }
+
+    Corridors corridors() {
+        return corridors;
     }
 
     /** The routes that the paths of this maze go along. */
@@ -236,25 +269,27 @@ public final class MazePaths {
      */
     public int length(long route, int least, int target) {
         int ahead = routes.ahead(route, target);
-        return ahead >= least ? ahead : lengthBeyond(route, target);
-    }
-
-    /** Length of the path along a route to a target that is not in the corridor ahead. */
-    public int lengthBeyond(long route, int target) {
-        return Routes.steps(route) + rowLength(Routes.row(route), target);
+        return ahead >= least ? ahead : Routes.steps(route) + rowLength(Routes.row(route), target);
     }
 
     /** Length of the path from a row's junction to a target. */
     public int rowLength(int row, int target) {
-        int byFirst = rowLengthBy(corridors.leg(target, 0), row);
-        int bySecond = rowLengthBy(corridors.leg(target, 1), row);
-        return ((byFirst | bySecond) & OWN_JUNCTION) == 0
-                ? Math.min(byFirst, bySecond)
-                : nearby[target * routes.rowCount() + row];
+        return lengthToPlace(row, routes.place(target));
     }
 
-    private int rowLengthBy(int leg, int row) {
-        return toJunctions[row * junctions + Corridors.junctionNumber(leg)] + Corridors.steps(leg);
+    /** Length of the path from a row's junction to a place, as {@link Routes#place} numbers it. */
+    public int lengthToPlace(int row, int place) {
+        int both = ends(row, place);
+        int at = Routes.position(place);
+        return both < 0 ? irregular[~both + at] : Math.min((both >> 16) + at, (both & 0xFFFF) - at);
+    }
+
+    /**
+     * Returns the lengths of the paths from a row's junction to position 0 of a place's segment: by its lower end in
+     * the upper half, by its upper end in the lower half. A number below 0 means that there are no such lengths.
+     */
+    int ends(int row, int place) {
+        return ends[row * segments + Routes.segment(place)];
     }
 
     /**

@@ -255,12 +255,17 @@ public final class Routes {
 
     /** {@link #ahead} for a target whose place is known. */
     public static int aheadOfPlace(long route, int place) {
-        return place >> 16 == corridor(route) ? ((place & 0xFFFF) - start(route)) * sign(route) : -1;
+        return place >> 16 == corridor(route) ? (position(place) - start(route)) * sign(route) : -1;
     }
 
     /** The node {@code step} steps along a route; it must lie before the junction at the end. */
     public int corridorNode(long route, int step) {
         return corridors.node(corridor(route), start(route) + step * sign(route));
+    }
+
+    /** Returns the position of a place in its corridor. */
+    static int position(int place) {
+        return place & 0xFFFF;
     }
 
     /** The segment of a place: the number of its corridor, junction, or the lair. */

@@ -192,8 +192,10 @@ public final class Observation {
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             orderKeys[ghost] = Integer.MAX_VALUE;
             if (isOutside(ghost)) {
-                int ahead = Routes.aheadOfPlace(route, ghostPlace[ghost]);
-                int distance = ahead >= least ? ahead : paths.lengthBeyond(route, ghostNode[ghost]);
+                int place = ghostPlace[ghost];
+                int ahead = Routes.aheadOfPlace(route, place);
+                int distance =
+                        ahead >= least ? ahead : Routes.steps(route) + paths.lengthToPlace(Routes.row(route), place);
                 stepsAhead[ghost] = ahead;
                 ghostDistance[ghost] = distance;
                 orderKeys[ghost] = (distance - 1 & FARTHEST) << 2 | ghost;
