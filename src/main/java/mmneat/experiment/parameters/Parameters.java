@@ -20,6 +20,10 @@ import mmneat.experiment.PlainText;
  */
 public final class Parameters {
 
+    private static final JavaPropsMapper MAPPER = JavaPropsMapper.builder()
+            .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+            .build();
+
     private final ParameterCatalogue catalogue;
     private final Map<String, String> values;
     private final Set<String> given;
@@ -100,11 +104,8 @@ public final class Parameters {
 
     /** Returns the values as a record whose components have the parameters' names. */
     public <T> T as(Class<T> record) {
-        JavaPropsMapper mapper = JavaPropsMapper.builder()
-                .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
-                .build();
         try {
-            return mapper.readMapAs(values, record);
+            return MAPPER.readMapAs(values, record);
         } catch (IOException e) {
             throw new UncheckedIOException("the parameters do not fit the record " + record, e);
         }
