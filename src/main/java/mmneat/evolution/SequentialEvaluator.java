@@ -48,44 +48,49 @@ public final class SequentialEvaluator implements Evaluator {
         long start = nanoTime.getAsLong();
         // The state of the run's generator must not depend on whether a deterministic task is evaluated again.
         ResumableRandom generator = task.isDeterministic() ? new ResumableRandom(genotype.id()) : random;
-        String whose = "genotype " + genotype.id() + " in generation " + generation;
-        Evaluation evaluation = evaluation(task, genotype, generator, whose);
+        Evaluation evaluation = evaluation(task, genotype, generation, generator);
         long nanoseconds = nanoTime.getAsLong() - start;
-        requireScores(whose, "objective", evaluation.objectives(), task.objectiveNames());
-        requireScores(whose, "other score", evaluation.otherScores(), task.otherScoreNames());
+        requireScores(genotype, generation, "objective", evaluation.objectives(), task.objectiveNames());
+        requireScores(genotype, generation, "other score", evaluation.otherScores(), task.otherScoreNames());
         if (evaluation.moduleUsage().length != genotype.modules()) {
             // A wrong length could let module mutation add a module.
-            throw new BadEvaluationException(
-                    whose + " has " + genotype.modules() + " modules, but the task gave the usage of "
-                            + evaluation.moduleUsage().length + "; it must give one number for each module");
+            throw new BadEvaluationException(whose(genotype, generation) + " has " + genotype.modules()
+                    + " modules, but the task gave the usage of " + evaluation.moduleUsage().length
+                    + "; it must give one number for each module");
         }
         return Individual.of(genotype, evaluation, nanoseconds);
     }
 
-    private static Evaluation evaluation(Task task, Genotype genotype, ResumableRandom generator, String whose) {
+    private static String whose(Genotype genotype, int generation) {
+        return "genotype " + genotype.id() + " in generation " + generation;
+    }
+
+    private static Evaluation evaluation(Task task, Genotype genotype, int generation, ResumableRandom generator) {
         try {
             Evaluation evaluation = task.evaluate(genotype, generator);
             if (evaluation == null) {
-                throw new BadEvaluationException(whose + ": the task gave null instead of an evaluation");
+                throw new BadEvaluationException(
+                        whose(genotype, generation) + ": the task gave null instead of an evaluation");
             }
             return evaluation;
         } catch (CancellationException | BadEvaluationException e) {
             throw e;
         } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
-            throw new FailedEvaluationException(whose, e);
+            throw new FailedEvaluationException(whose(genotype, generation), e);
         }
     }
 
     /** Checks that there is one score per name and that every score is finite. */
-    private static void requireScores(String whose, String what, double[] scores, List<String> names) {
+    private static void requireScores(
+            Genotype genotype, int generation, String what, double[] scores, List<String> names) {
         if (scores.length != names.size()) {
             throw new BadEvaluationException(
                     "the task gave " + scores.length + " " + what + "s but names " + names.size() + ": " + names);
         }
         for (int i = 0; i < scores.length; i++) {
             if (!Double.isFinite(scores[i])) {
-                throw new BadEvaluationException(whose + ": the task gave " + scores[i] + " for the " + what + " '"
-                        + names.get(i) + "', which must be a finite number");
+                throw new BadEvaluationException(whose(genotype, generation) + ": the task gave " + scores[i]
+                        + " for the " + what + " '" + names.get(i) + "', which must be a finite number");
             }
         }
     }

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The genes of a network: node genes in activation order, link genes, and the division of outputs into modules.
@@ -29,6 +30,8 @@ public final class Genotype {
     private final List<NodeGene> nodes;
     private final List<LinkGene> links;
     private final int[] moduleUsage;
+    /** Made when it is first needed; immutable, so that threads may share it. */
+    private @Nullable NodePositions positions;
 
     /**
      * A checked genotype.
@@ -125,6 +128,16 @@ public final class Genotype {
         return links;
     }
 
+    /** The positions of the neurons in {@link #nodes()}. */
+    public NodePositions positions() {
+        NodePositions known = positions;
+        if (known == null) {
+            known = new NodePositions(nodes);
+            positions = known;
+        }
+        return known;
+    }
+
     /** Position in {@link #nodes()} of the first output. */
     public int firstOutput() {
         return nodes.size() - layout.outputs();
@@ -161,6 +174,7 @@ public final class Genotype {
      */
     public Genotype withModuleUsage(int[] usage) {
         Genotype evaluated = new Genotype(id, inputs, layout, nodes, links, usage.clone(), false);
+        evaluated.positions = positions;
         evaluated.requireUsageCounts();
         return evaluated;
     }

@@ -1,10 +1,8 @@
 package mmneat.neat;
 
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 
 /**
  * A mutable genotype. Reproduction copies a parent ({@link #copyOf}), mutation operators change the copy, and {@link
@@ -17,8 +15,7 @@ public final class GenotypeDraft {
 
     private long id;
     private final int inputs;
-    private final int policyNeuronsPerModule;
-    private final boolean standardMultitask;
+    private final ModuleLayout originalLayout;
     private final List<NodeGene> nodes;
     private final List<LinkGene> links;
     private final List<Integer> groups;
@@ -29,8 +26,7 @@ public final class GenotypeDraft {
     private GenotypeDraft(Genotype original, long id, List<LinkGene> links) {
         this.id = id;
         this.inputs = original.inputs();
-        this.policyNeuronsPerModule = original.layout().policyNeuronsPerModule();
-        this.standardMultitask = original.layout().standardMultitask();
+        this.originalLayout = original.layout();
         this.groups = new ArrayList<>(original.layout().groups());
         this.nodes = new ArrayList<>(original.nodes());
         this.links = links;
@@ -49,19 +45,24 @@ public final class GenotypeDraft {
      * links are grouped by source in node order. Source: docs/specification/networks.md, section 7.
      */
     public static GenotypeDraft copyOf(Genotype original, long id) {
-        return new GenotypeDraft(original, id, activeLinksBySource(original.nodes(), original.links()));
+        return new GenotypeDraft(
+                original,
+                id,
+                activeLinksBySource(original.positions(), original.nodes().size(), original.links()));
     }
 
     /** The active links, grouped by source in node order, links of one source in their previous order. */
     public static List<LinkGene> activeLinksBySource(List<NodeGene> nodes, List<LinkGene> links) {
-        Map<Long, Integer> positions = positionsOf(nodes);
+        return activeLinksBySource(new NodePositions(nodes), nodes.size(), links);
+    }
+
+    private static List<LinkGene> activeLinksBySource(NodePositions positions, int nodes, List<LinkGene> links) {
         int[] sourcePosition = new int[links.size()];
-        int[] groupEnd = new int[nodes.size() + 1];
+        int[] groupEnd = new int[nodes + 1];
         int active = 0;
         for (int i = 0; i < links.size(); i++) {
             if (links.get(i).active()) {
-                sourcePosition[i] =
-                        Objects.requireNonNull(positions.get(links.get(i).source()));
+                sourcePosition[i] = positions.of(links.get(i).source());
                 groupEnd[sourcePosition[i] + 1]++;
                 active++;
             }
@@ -75,16 +76,7 @@ public final class GenotypeDraft {
                 grouped[groupEnd[sourcePosition[i]]++] = links.get(i);
             }
         }
-        return new ArrayList<>(List.of(grouped));
-    }
-
-    /** Position of each neuron by innovation. */
-    public static Map<Long, Integer> positionsOf(List<NodeGene> nodes) {
-        Map<Long, Integer> positions = new HashMap<>(nodes.size() * 2);
-        for (int i = 0; i < nodes.size(); i++) {
-            positions.put(nodes.get(i).innovation(), i);
-        }
-        return positions;
+        return new ArrayList<>(Arrays.asList(grouped));
     }
 
     /**
@@ -112,12 +104,18 @@ public final class GenotypeDraft {
     }
 
     public int policyNeuronsPerModule() {
-        return policyNeuronsPerModule;
+        return originalLayout.policyNeuronsPerModule();
     }
 
     /** Current division of the outputs into modules. Not available during a module mutation. */
     public ModuleLayout layout() {
-        return new ModuleLayout(outputs, modules, policyNeuronsPerModule, standardMultitask, groups);
+        boolean isUnchanged = outputs == originalLayout.outputs()
+                && modules == originalLayout.modules()
+                && groups.equals(originalLayout.groups());
+        return isUnchanged
+                ? originalLayout
+                : new ModuleLayout(
+                        outputs, modules, policyNeuronsPerModule(), originalLayout.standardMultitask(), groups);
     }
 
     /** Node genes in activation order; may be changed. */
@@ -238,7 +236,11 @@ public final class GenotypeDraft {
         nodes.addAll(nodesToAdopt);
         links.clear();
         links.addAll(linksToAdopt);
-        outputs = (int) nodes.stream().filter(n -> n.type() == NodeType.OUTPUT).count();
-        modules = Math.max(1, outputs / (policyNeuronsPerModule + (standardMultitask ? 0 : 1)));
+        outputs = 0;
+        for (NodeGene node : nodes) {
+            outputs += node.type() == NodeType.OUTPUT ? 1 : 0;
+        }
+        int neuronsPerModule = policyNeuronsPerModule() + (originalLayout.standardMultitask() ? 0 : 1);
+        modules = Math.max(1, outputs / neuronsPerModule);
     }
 }

@@ -7,6 +7,7 @@ import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
+import mmneat.neat.NodePositions;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -160,7 +161,7 @@ final class NetworkCompiler {
     /** Two stable counting sorts, by source and then by target, leave the links of a target in source order. */
     private void gatherIncomingLinks() {
         List<LinkGene> links = genotype.links();
-        NodePositions positions = new NodePositions(genotype.nodes());
+        NodePositions positions = genotype.positions();
         int active = incomingSource.length;
         int[] source = new int[active];
         int[] target = new int[active];

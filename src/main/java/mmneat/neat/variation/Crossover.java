@@ -7,15 +7,14 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import mmneat.neat.Archetype;
 import mmneat.neat.GenotypeDraft;
 import mmneat.neat.LinkGene;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.NodeGene;
+import mmneat.neat.NodePositions;
 import mmneat.random.ResumableRandom;
-import org.jspecify.annotations.Nullable;
 
 /**
  * NEAT's crossover: crosses two networks gene by gene. Genes that both parents have are swapped with probability 1/2.
@@ -34,21 +33,7 @@ import org.jspecify.annotations.Nullable;
  */
 record Crossover(double excessRate) implements CrossoverOperator {
 
-    /** The links of two parents that represent the same structure; one is null if a parent lacks it. */
-    private record Pair(@Nullable LinkGene ofA, @Nullable LinkGene ofB) {
-
-        /** Whether one of the end points, the same for both, is among some neurons. */
-        boolean touches(Set<Long> neurons) {
-            LinkGene link = ofA != null ? ofA : Objects.requireNonNull(ofB);
-            return neurons.contains(link.source()) || neurons.contains(link.target());
-        }
-    }
-
-    private record EndPoints(long source, long target) {
-        static EndPoints of(LinkGene link) {
-            return new EndPoints(link.source(), link.target());
-        }
-    }
+    private static final Comparator<LinkGene> BY_INNOVATION = Comparator.comparingLong(LinkGene::innovation);
 
     /**
      * Crosses two copies of the parents: each becomes the child with its own structure. Each child keeps its id, policy
@@ -67,11 +52,11 @@ record Crossover(double excessRate) implements CrossoverOperator {
             shareExcess(nodesOfA, nodesOfB, archetype);
         }
 
-        List<LinkGene> sortedA = sortedByInnovation(a.links());
-        List<LinkGene> sortedB = sortedByInnovation(withInnovationsOf(a.links(), b.links()));
+        LinkGene[] sortedA = sortedByInnovation(a.links());
+        LinkGene[] sortedB = withInnovationsOf(sortedA, sortedByInnovation(b.links()));
         List<LinkGene> linksOfA = new ArrayList<>();
         List<LinkGene> linksOfB = new ArrayList<>();
-        distribute(align(sortedA, sortedB), isExcessShared, foreign, linksOfA, linksOfB, random);
+        distribute(sortedA, sortedB, isExcessShared, foreign, linksOfA, linksOfB, random);
         int modulesOfA = a.modules();
         a.replaceGenes(nodesOfA, linksOfA);
         if (a.modules() != modulesOfA) {
@@ -87,18 +72,22 @@ record Crossover(double excessRate) implements CrossoverOperator {
 
     /** The group of each output neuron of a hybrid by innovation; empty for other networks. */
     private static Map<Long, Integer> groupsOfOutputs(GenotypeDraft draft) {
+        if (draft.groups().isEmpty()) {
+            return Map.of();
+        }
         Map<Long, Integer> groups = new HashMap<>();
-        if (!draft.groups().isEmpty()) {
-            ModuleLayout layout = draft.layout();
-            for (int output = 0; output < draft.outputs(); output++) {
-                groups.put(draft.output(output).innovation(), layout.choiceOf(layout.moduleOf(output)));
-            }
+        ModuleLayout layout = draft.layout();
+        for (int output = 0; output < draft.outputs(); output++) {
+            groups.put(draft.output(output).innovation(), layout.choiceOf(layout.moduleOf(output)));
         }
         return groups;
     }
 
     /** The output neurons that both have, but in different groups. */
     private static Set<Long> differing(Map<Long, Integer> groups, Map<Long, Integer> others) {
+        if (groups.isEmpty()) {
+            return Set.of();
+        }
         Set<Long> differing = new HashSet<>();
         groups.forEach((output, group) -> {
             if (!group.equals(others.getOrDefault(output, group))) {
@@ -124,10 +113,11 @@ record Crossover(double excessRate) implements CrossoverOperator {
      * in both lists. Only after full module mutation can the orders differ; then each child keeps its own.
      */
     private static void swapShared(List<NodeGene> a, List<NodeGene> b, Set<Long> foreign, ResumableRandom random) {
-        Map<Long, Integer> placesInB = GenotypeDraft.positionsOf(b);
+        NodePositions placesInB = new NodePositions(b);
         for (int i = 0; i < a.size(); i++) {
-            Integer place = placesInB.get(a.get(i).innovation());
-            if (place != null && !foreign.contains(a.get(i).innovation()) && random.nextBoolean()) {
+            long innovation = a.get(i).innovation();
+            int place = placesInB.of(innovation);
+            if (place >= 0 && !isAmong(foreign, innovation) && random.nextBoolean()) {
                 a.set(i, b.set(place, a.get(i)));
             }
         }
@@ -135,95 +125,104 @@ record Crossover(double excessRate) implements CrossoverOperator {
 
     /** Gives each of two lists the neurons that only the other has, all in the archetype's order. */
     private static void shareExcess(List<NodeGene> a, List<NodeGene> b, Archetype archetype) {
-        List<NodeGene> onlyInA = without(a, GenotypeDraft.positionsOf(b).keySet());
-        List<NodeGene> onlyInB = without(b, GenotypeDraft.positionsOf(a).keySet());
+        List<NodeGene> onlyInA = without(a, new NodePositions(b));
+        List<NodeGene> onlyInB = without(b, new NodePositions(a));
         a.addAll(onlyInB);
         b.addAll(onlyInA);
-        Map<Long, Integer> order = GenotypeDraft.positionsOf(archetype.entries());
-        Comparator<NodeGene> byOrder = Comparator.comparing(node -> order.get(node.innovation()));
+        NodePositions order = new NodePositions(archetype.entries());
+        Comparator<NodeGene> byOrder = Comparator.comparingInt(node -> order.of(node.innovation()));
         a.sort(byOrder);
         b.sort(byOrder);
     }
 
-    private static List<NodeGene> without(List<NodeGene> nodes, Set<Long> innovations) {
+    private static List<NodeGene> without(List<NodeGene> nodes, NodePositions others) {
         return nodes.stream()
-                .filter(node -> !innovations.contains(node.innovation()))
+                .filter(node -> !others.contains(node.innovation()))
                 .toList();
     }
 
-    /** Distributes the links to the children: one draw for each pair that both parents have. */
+    /**
+     * Distributes the links of both parents, both in ascending order, to the children: one draw for each structure that
+     * both have. Of two links that only one parent has, b's comes first.
+     */
     private static void distribute(
-            List<Pair> pairs,
+            LinkGene[] a,
+            LinkGene[] b,
             boolean isExcessShared,
             Set<Long> foreign,
             List<LinkGene> toA,
             List<LinkGene> toB,
             ResumableRandom random) {
-        for (Pair pair : pairs) {
-            boolean isShared = pair.ofA != null && pair.ofB != null;
-            boolean isSwapped = isShared && !pair.touches(foreign) && random.nextBoolean();
-            LinkGene forA = isSwapped ? pair.ofB : pair.ofA;
-            LinkGene forB = isSwapped ? pair.ofA : pair.ofB;
-            if (isExcessShared && !isShared) {
-                forA = pair.ofA != null ? pair.ofA : pair.ofB;
-                forB = forA;
-            }
-            if (forA != null) {
-                toA.add(forA);
-            }
-            if (forB != null) {
-                toB.add(forB);
-            }
-        }
-    }
-
-    /**
-     * Pairs the links of both parents, both in ascending order; of two links that only one parent has, b's comes first.
-     */
-    private static List<Pair> align(List<LinkGene> a, List<LinkGene> b) {
-        Set<Long> inA = innovationsOf(a);
-        Set<Long> inB = innovationsOf(b);
-        List<Pair> pairs = new ArrayList<>(a.size() + b.size());
+        boolean[] isSharedOfA = haveEqualIn(a, b);
+        boolean[] isSharedOfB = haveEqualIn(b, a);
         int i = 0;
         int j = 0;
-        while (i < a.size() || j < b.size()) {
-            if (j < b.size() && !inA.contains(b.get(j).innovation())) {
-                pairs.add(new Pair(null, b.get(j++)));
-            } else if (i < a.size() && !inB.contains(a.get(i).innovation())) {
-                pairs.add(new Pair(a.get(i++), null));
+        while (i < a.length || j < b.length) {
+            if (j < b.length && !isSharedOfB[j]) {
+                if (isExcessShared) {
+                    toA.add(b[j]);
+                }
+                toB.add(b[j++]);
+            } else if (i < a.length && !isSharedOfA[i]) {
+                if (isExcessShared) {
+                    toB.add(a[i]);
+                }
+                toA.add(a[i++]);
             } else {
-                pairs.add(new Pair(a.get(i++), b.get(j++)));
+                boolean touchesForeign = isAmong(foreign, a[i].source()) || isAmong(foreign, a[i].target());
+                boolean isSwapped = !touchesForeign && random.nextBoolean();
+                toA.add(isSwapped ? b[j] : a[i]);
+                toB.add(isSwapped ? a[i] : b[j]);
+                i++;
+                j++;
             }
         }
-        return pairs;
     }
 
-    private static Set<Long> innovationsOf(List<LinkGene> links) {
-        Set<Long> innovations = new HashSet<>(links.size() * 2);
-        for (LinkGene link : links) {
-            innovations.add(link.innovation());
+    /** Whether a neuron is among the given ones, which usually are none. */
+    private static boolean isAmong(Set<Long> neurons, long innovation) {
+        return !neurons.isEmpty() && neurons.contains(innovation);
+    }
+
+    /** For each link, whether a link of the others has its innovation; both in ascending order. */
+    private static boolean[] haveEqualIn(LinkGene[] links, LinkGene[] others) {
+        boolean[] isShared = new boolean[links.length];
+        int next = 0;
+        for (int i = 0; i < links.length; i++) {
+            long innovation = links[i].innovation();
+            while (next < others.length && others[next].innovation() < innovation) {
+                next++;
+            }
+            isShared[i] = next < others.length && others[next].innovation() == innovation;
         }
-        return innovations;
+        return isShared;
     }
 
-    private static List<LinkGene> sortedByInnovation(List<LinkGene> links) {
-        List<LinkGene> sorted = new ArrayList<>(links);
-        sorted.sort(Comparator.comparingLong(LinkGene::innovation));
+    private static LinkGene[] sortedByInnovation(List<LinkGene> links) {
+        LinkGene[] sorted = links.toArray(new LinkGene[0]);
+        Arrays.sort(sorted, BY_INNOVATION);
         return sorted;
     }
 
     /**
-     * Returns the links of b. A link between the same neurons as a link of a gets its innovation: the two arose
-     * independently.
+     * Returns the links of b in ascending order. A link between the same neurons as a link of a gets its innovation,
+     * because the two arose independently. Links of equal innovation are between the same neurons already.
      */
-    private static List<LinkGene> withInnovationsOf(List<LinkGene> a, List<LinkGene> b) {
-        Map<EndPoints, Long> innovations = new HashMap<>(a.size() * 2);
-        for (LinkGene link : a) {
-            innovations.put(EndPoints.of(link), link.innovation());
+    private static LinkGene[] withInnovationsOf(LinkGene[] a, LinkGene[] b) {
+        boolean[] isSharedOfA = haveEqualIn(a, b);
+        boolean[] isSharedOfB = haveEqualIn(b, a);
+        LinkGene[] reconciled = b.clone();
+        boolean isChanged = false;
+        for (int j = 0; j < b.length; j++) {
+            for (int i = 0; !isSharedOfB[j] && i < a.length; i++) {
+                if (!isSharedOfA[i] && a[i].source() == b[j].source() && a[i].target() == b[j].target()) {
+                    reconciled[j] = b[j].withInnovation(a[i].innovation());
+                    isChanged = true;
+                }
+            }
         }
-        List<LinkGene> reconciled = new ArrayList<>(b.size());
-        for (LinkGene link : b) {
-            reconciled.add(link.withInnovation(innovations.getOrDefault(EndPoints.of(link), link.innovation())));
+        if (isChanged) {
+            Arrays.sort(reconciled, BY_INNOVATION);
         }
         return reconciled;
     }

@@ -1,10 +1,9 @@
-package mmneat.neat.network;
+package mmneat.neat;
 
 import java.util.List;
-import mmneat.neat.NodeGene;
 
-/** Positions of nodes by innovation: a hash table of primitives with open addressing, filled once. */
-final class NodePositions {
+/** Positions of nodes in a list, by innovation: a hash table of primitives with open addressing, filled once. */
+public final class NodePositions {
 
     private static final long FIBONACCI = 0x9E3779B97F4A7C15L;
 
@@ -14,7 +13,8 @@ final class NodePositions {
 
     private final int shift;
 
-    NodePositions(List<NodeGene> nodes) {
+    /** The positions in this list, whose innovations must differ; later changes of the list have no effect. */
+    public NodePositions(List<NodeGene> nodes) {
         int bits = 33 - Integer.numberOfLeadingZeros(nodes.size());
         innovations = new long[1 << bits];
         entries = new int[1 << bits];
@@ -27,9 +27,14 @@ final class NodePositions {
         }
     }
 
-    /** Position of a node that is in the table. */
-    int of(long innovation) {
+    /** Position of a node; -1 if the list lacks it. */
+    public int of(long innovation) {
         return entries[placeOf(innovation)] - 1;
+    }
+
+    /** Whether the list has a node of this innovation. */
+    public boolean contains(long innovation) {
+        return of(innovation) >= 0;
     }
 
     private int placeOf(long innovation) {
