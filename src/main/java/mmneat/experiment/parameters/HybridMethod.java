@@ -72,8 +72,7 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
             Matcher group = GROUP.matcher(part);
             int place = group.matches() ? groups.indexOf(group.group(1)) : -1;
             if (place < 0 || sizes.get(place) > 0) {
-                throw new UserError("method=" + value + ": '" + part + "' is not a group and its number of modules; "
-                        + words(version));
+                throw new UserError("method=" + value + ": '" + part + "' is not allowed; " + words(version));
             }
             sizes.set(place, Integer.parseInt(group.group(2)));
         }
@@ -81,7 +80,7 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
     }
 
     private static String words(Optional<TaskVersion> version) {
-        return version.map(known -> "task=" + known.label() + " takes "
+        return version.map(known -> "give every group once with its number of modules, 1 to 9, such as "
                         + IntStream.rangeClosed(2, 3)
                                 .mapToObj(count -> groups(known, count))
                                 .filter(names -> !names.isEmpty())

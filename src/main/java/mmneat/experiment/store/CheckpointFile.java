@@ -143,7 +143,7 @@ public final class CheckpointFile {
             }
         }
         if (!damage.isEmpty()) {
-            throw new UserError(directory + ": has no whole checkpoint: " + damage
+            throw new UserError(directory + ": has no undamaged checkpoint: " + damage
                     + "; restore one, continue with the version of the program that began the run, or delete "
                     + directory
                     + " to start the run again");

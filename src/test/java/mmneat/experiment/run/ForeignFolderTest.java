@@ -143,7 +143,7 @@ class ForeignFolderTest {
                 newest(),
                 folder.resolve("checkpoint-previous.json.gz"),
                 java.nio.file.StandardCopyOption.REPLACE_EXISTING);
-        requireRefused("has no whole checkpoint");
+        requireRefused("has no undamaged checkpoint");
     }
 
     @ParameterizedTest

@@ -155,10 +155,10 @@ class HybridRunsTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "task=blended method=H:threat=2 | takes H:threat=1,edible=1 or H:edible=1,threat=1,both=1",
-                "task=blended method=H:threat=2,threat=1 | 'threat=1' is not a group and its number of modules",
-                "task=blended method=H:threat=2,edible=0 | 'edible=0' is not a group and its number of modules",
-                "task=isolated method=H:threat=2,edible=1 | task=isolated takes H:pills=1,ghosts=1",
+                "task=blended method=H:threat=2 | such as H:threat=1,edible=1 or H:edible=1,threat=1,both=1",
+                "task=blended method=H:threat=2,threat=1 | 'threat=1' is not allowed; give every group once",
+                "task=blended method=H:threat=2,edible=0 | 'edible=0' is not allowed; give every group once",
+                "task=isolated method=H:threat=2,edible=1 | such as H:pills=1,ghosts=1",
                 "task=blended method=H2 | or a hybrid such as H21",
                 "task=blended method=H20 | or a hybrid such as H21",
                 "task=blended method=H21 moduleGroups=2,1,1 | names 3 groups, but the division chooses among multitaskModes=2",

@@ -119,7 +119,7 @@ class RunEndTest {
         Files.writeString(file("checkpoint-previous.json.gz"), "y");
         RunOutcome outcome = run("maxGens=6");
         assertThat(outcome.phase()).isEqualTo(RunMonitor.Phase.REFUSED);
-        assertThat(outcome.message()).contains("no whole checkpoint");
+        assertThat(outcome.message()).contains("no undamaged checkpoint");
         assertThat(status()).isEqualTo(before);
     }
 

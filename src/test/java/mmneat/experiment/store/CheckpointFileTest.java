@@ -103,7 +103,7 @@ class CheckpointFileTest {
         Files.writeString(previous, "y");
         assertThatThrownBy(() -> checkpoint.load(CHECK))
                 .isInstanceOf(UserError.class)
-                .hasMessageContaining("no whole checkpoint")
+                .hasMessageContaining("no undamaged checkpoint")
                 .hasMessageContaining("delete " + directory);
     }
 
