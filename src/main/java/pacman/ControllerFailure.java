@@ -1,6 +1,7 @@
 package pacman;
 
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 
 /**
@@ -13,7 +14,7 @@ public final class ControllerFailure extends RuntimeException {
     private final String controllerName;
     private final int totalTime;
 
-    private ControllerFailure(Controller<?> controller, int totalTime, Throwable cause) {
+    private ControllerFailure(Controller<?> controller, int totalTime, @Nullable Throwable cause) {
         super(controller.getClass().getName() + " threw this at game time " + totalTime, cause, false, false);
         controllerName = controller.getClass().getName();
         this.totalTime = totalTime;

@@ -11,6 +11,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.controllers.HumanController;
 import pacman.controllers.KeyBoardInput;
@@ -360,7 +361,7 @@ public class Executor {
     }
 
     /** Unlike in the original, the last state is also painted, as in release 6.2. */
-    private static Consumer<Game> painter(GameView view) {
+    private static Consumer<Game> painter(@Nullable GameView view) {
         return view == null || view.getFrame() == null ? NOTHING : game -> view.repaint();
     }
 

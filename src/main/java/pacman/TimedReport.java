@@ -1,5 +1,7 @@
 package pacman;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The punctuality of the controllers of a timed game.
  *
@@ -16,7 +18,11 @@ public record TimedReport(Side pacMan, Side ghosts) {
      * @param repeatedMoves steps played with an earlier answer or none, because there was no new one
      * @param failure the exception that froze the controller on its last answer; null if none did
      */
-    public record Side(int steps, int lateAnswers, int repeatedMoves, Throwable failure) {
+    public record Side(
+            int steps,
+            int lateAnswers,
+            int repeatedMoves,
+            @Nullable Throwable failure) {
 
         /**
          * Number of decisions that threw an exception: 0 or 1, because the first one ends a controller's decisions in a

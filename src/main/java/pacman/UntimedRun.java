@@ -3,6 +3,7 @@ package pacman;
 import java.util.EnumMap;
 import java.util.function.Consumer;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.controllers.DirectGhosts;
 import pacman.controllers.ReadOnlyController;
@@ -41,10 +42,10 @@ final class UntimedRun {
 
     private final Controller<MOVE> pacMan;
     private final Controller<EnumMap<GHOST, MOVE>> ghosts;
-    private final ReadOnlyController<MOVE> readOnlyPacMan;
-    private final ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
+    private final @Nullable ReadOnlyController<MOVE> readOnlyPacMan;
+    private final @Nullable ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
     /** The ghosts, if they only read and need no map; else null. */
-    private final DirectGhosts directGhosts;
+    private final @Nullable DirectGhosts directGhosts;
 
     private final DueTime dueTime;
     private final ResumableRandom scratch = new ResumableRandom(0);
@@ -104,7 +105,8 @@ final class UntimedRun {
         }
     }
 
-    private <T> T answer(Controller<T> controller, ReadOnlyController<T> readOnly, Game game, long due) {
+    private <T> @Nullable T answer(
+            Controller<T> controller, @Nullable ReadOnlyController<T> readOnly, Game game, long due) {
         if (readOnly != null) {
             game.continueAsCopy(scratch);
             return readOnly.decide(game, scratch);

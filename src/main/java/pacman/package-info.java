@@ -23,4 +23,7 @@
  *
  * <p>Source: docs/specification/controllers.md, section 6.
  */
+@NullMarked
 package pacman;
+
+import org.jspecify.annotations.NullMarked;

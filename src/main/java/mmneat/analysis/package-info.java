@@ -26,4 +26,7 @@
  *       <td>{@link mmneat.analysis.tasks.TaskMeter}: how the game divides into subtasks</td></tr>
  * </table>
  */
+@NullMarked
 package mmneat.analysis;
+
+import org.jspecify.annotations.NullMarked;

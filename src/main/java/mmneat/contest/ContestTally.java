@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import mmneat.contest.ContestResult.Punctuality;
 import mmneat.contest.ContestResult.Repetition;
+import org.jspecify.annotations.Nullable;
 import pacman.TimedReport;
 
 /** The growing result of a contest. Thread-safe: the playing thread writes it, and a shutdown hook may read it. */
@@ -15,7 +16,7 @@ final class ContestTally {
     private long steps;
     private Punctuality pacMan = Punctuality.NONE;
     private Punctuality ghosts = Punctuality.NONE;
-    private Repetition repetition;
+    private @Nullable Repetition repetition;
 
     /** Adds a game that counts. */
     synchronized void addGame(int score, int gameSteps) {

@@ -2,6 +2,7 @@ package mmneat.contest;
 
 import java.lang.reflect.UndeclaredThrowableException;
 import java.util.EnumMap;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -11,6 +12,7 @@ import java.util.function.Consumer;
 import mmneat.contest.entry.MissingMember;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
+import org.jspecify.annotations.Nullable;
 import pacman.ControllerFailure;
 import pacman.Executor;
 import pacman.TimedReport;
@@ -46,7 +48,7 @@ final class GamePlay {
 
     private final ContestSettings settings;
     private final StallNotice stall;
-    private byte[] reserve = new byte[RESERVE];
+    private byte @Nullable [] reserve = new byte[RESERVE];
     private final Executor executor = new Executor();
 
     GamePlay(ContestSettings settings, StallNotice stall) {
@@ -146,7 +148,7 @@ final class GamePlay {
                     throw new NoAnswer(asked);
                 }
             } catch (ExecutionException e) {
-                throw unchecked(e.getCause());
+                throw unchecked(Objects.requireNonNull(e.getCause()));
             } catch (InterruptedException e) {
                 player.interrupt();
                 Thread.currentThread().interrupt();
@@ -182,12 +184,12 @@ final class GamePlay {
     private static Outcome failed(Game game, int number, Throwable failure) {
         ControllerFailure report = ControllerFailure.in(failure).orElse(null);
         if (report != null) {
-            Throwable thrown = report == failure ? failure.getCause() : failure;
+            Throwable thrown = report == failure ? Objects.requireNonNull(report.getCause()) : failure;
             return failed(game, number, report.controllerName(), threw(thrown), thrown);
         }
         if (failure instanceof UserError error) {
             // A controller could not be created; the message names it.
-            return failed(game, number, "", error.getMessage(), null);
+            return failed(game, number, "", String.valueOf(error.getMessage()), null);
         }
         if (failure instanceof VirtualMachineError error) {
             return failed(game, number, "a controller", threw(error), error);
@@ -195,7 +197,7 @@ final class GamePlay {
         throw unchecked(failure);
     }
 
-    private static Outcome failed(Game game, int number, String controller, String what, Throwable thrown) {
+    private static Outcome failed(Game game, int number, String controller, String what, @Nullable Throwable thrown) {
         GameFailure failure =
                 new GameFailure(number, game.getTotalTime(), controller, what, Optional.ofNullable(thrown));
         return new Outcome(0, game.getTotalTime(), false, Optional.of(failure), Optional.empty());

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
 
 /**
@@ -18,10 +19,10 @@ final class StallNotice implements AutoCloseable {
     private final Thread player;
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(StallNotice::thread);
 
-    private volatile Game game;
+    private volatile @Nullable Game game;
 
     // The state at the last check; only the timer thread uses these fields.
-    private Game gameSeen;
+    private @Nullable Game gameSeen;
     private int timeSeen;
     private boolean told;
 
@@ -43,7 +44,7 @@ final class StallNotice implements AutoCloseable {
     }
 
     /** Sets the game to watch; null for none. */
-    void watch(Game next) {
+    void watch(@Nullable Game next) {
         game = next;
     }
 

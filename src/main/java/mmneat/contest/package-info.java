@@ -17,4 +17,7 @@
  *
  * <p>{@link mmneat.experiment} explains other terms, such as the original and the versions of the task.
  */
+@NullMarked
 package mmneat.contest;
+
+import org.jspecify.annotations.NullMarked;

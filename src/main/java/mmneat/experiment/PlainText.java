@@ -1,6 +1,7 @@
 package mmneat.experiment;
 
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The check that a text is one printable line, before it is used as a file name, a line of a job file or a value in a
@@ -46,7 +47,10 @@ public final class PlainText {
      * entry), made printable by {@link #shown(String)}. If {@code toString} of the exception fails itself, the result
      * is the name of the class alone.
      */
-    public static String shown(Throwable thrown) {
+    public static String shown(@Nullable Throwable thrown) {
+        if (thrown == null) {
+            return "null";
+        }
         try {
             return shown(String.valueOf(thrown.toString()));
         } catch (RuntimeException | Error e) {

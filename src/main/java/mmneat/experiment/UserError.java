@@ -1,5 +1,7 @@
 package mmneat.experiment;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * An error of the user, reported in one line: what is wrong, where, and what to do.
  *
@@ -17,7 +19,7 @@ public final class UserError extends RuntimeException {
      * @param message one line, without a full stop at the end
      * @param cause kept for debugging; it is not shown to the user
      */
-    public UserError(String message, Throwable cause) {
+    public UserError(@Nullable String message, Throwable cause) {
         super(message, cause);
     }
 }

@@ -55,4 +55,7 @@
  *   <li><b>Archetype</b>: the population-wide list of neurons. It fixes the order of the neurons in every genotype.
  * </ul>
  */
+@NullMarked
 package mmneat.experiment;
+
+import org.jspecify.annotations.NullMarked;

@@ -10,6 +10,7 @@ import mmneat.neat.network.Network;
 import mmneat.neat.network.NetworkStates;
 import mmneat.random.Argmax;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
 
 /**
@@ -32,7 +33,7 @@ public final class DirectionEvaluator {
     private final NetworkInputs sensors;
 
     /** Selects the module of a step, or the group of a hybrid; null if only preference neurons choose. */
-    private final ModuleDivision division;
+    private final @Nullable ModuleDivision division;
 
     private final NetworkStates states;
     /** Preference for each direction, if exact preferences were needed for the comparison. */
@@ -55,7 +56,10 @@ public final class DirectionEvaluator {
      * @throws IllegalArgumentException if the genotype does not fit the sensors or the division
      */
     public DirectionEvaluator(
-            NetworkInputs sensors, Genotype genotype, ModuleArbitration arbitration, ModuleDivision division) {
+            NetworkInputs sensors,
+            Genotype genotype,
+            ModuleArbitration arbitration,
+            @Nullable ModuleDivision division) {
         Network network = Network.compile(genotype);
         if (network.inputs() != sensors.suite().size()) {
             throw new IllegalArgumentException("the network has " + network.inputs() + " inputs, but there are "

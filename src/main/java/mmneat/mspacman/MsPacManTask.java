@@ -15,6 +15,7 @@ import mmneat.mspacman.sensors.NetworkInputs;
 import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.DirectGhosts;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.ReadOnlyController;
@@ -41,9 +42,9 @@ public final class MsPacManTask implements Task {
     private final List<GameObjective> objectives;
     private final List<RecordedScore> others;
     private final NewGhostController ghosts;
-    private final ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
+    private final @Nullable ReadOnlyController<EnumMap<GHOST, MOVE>> readOnlyGhosts;
     /** The ghosts, if they only read and need no map; else null. */
-    private final DirectGhosts directGhosts;
+    private final @Nullable DirectGhosts directGhosts;
 
     /**
      * Scratch generator for ghosts that only read the game, set to the state that their copy's generator would have.
@@ -129,7 +130,7 @@ public final class MsPacManTask implements Task {
      * @param observer may be null
      * @throws IllegalArgumentException if the genotype's inputs or modules do not fit the task
      */
-    public Evaluation evaluate(Genotype genotype, ResumableRandom random, EvaluationObserver observer) {
+    public Evaluation evaluate(Genotype genotype, ResumableRandom random, @Nullable EvaluationObserver observer) {
         DirectionEvaluator player =
                 new DirectionEvaluator(senses, genotype, settings.arbitration(), settings.division());
         double[][] trialObjectives = new double[objectives.size()][trials()];
@@ -164,7 +165,7 @@ public final class MsPacManTask implements Task {
             Game game,
             DirectionEvaluator player,
             ResumableRandom random,
-            EvaluationObserver observer) {
+            @Nullable EvaluationObserver observer) {
         try {
             return play(setting, game, player, random, observer);
         } catch (CancellationException e) {
@@ -179,7 +180,7 @@ public final class MsPacManTask implements Task {
             Game game,
             DirectionEvaluator player,
             ResumableRandom random,
-            EvaluationObserver observer) {
+            @Nullable EvaluationObserver observer) {
         player.startGame();
         ghosts.reset();
         if (observer != null) {
@@ -206,7 +207,7 @@ public final class MsPacManTask implements Task {
         return end;
     }
 
-    private void advance(Game game, MOVE move) {
+    private void advance(Game game, @Nullable MOVE move) {
         if (directGhosts != null) {
             game.continueAsCopy(scratch);
             game.advanceGame(move, directGhosts.decideMoves(game, scratch));

@@ -8,6 +8,7 @@ import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.objectives.GameObjective;
 import mmneat.mspacman.sensors.SensorSettings;
 import mmneat.neat.network.ModuleArbitration;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.examples.Legacy;
 import pacman.game.GameRules;
@@ -35,7 +36,7 @@ public record MsPacManTaskSettings(
         int trials,
         GameRules rules,
         SensorSettings sensors,
-        ModuleDivision division,
+        @Nullable ModuleDivision division,
         ModuleArbitration arbitration,
         Supplier<NewGhostController> ghosts,
         boolean deterministic,
@@ -75,7 +76,7 @@ public record MsPacManTaskSettings(
             int trials,
             GameRules rules,
             SensorSettings sensors,
-            ModuleDivision division,
+            @Nullable ModuleDivision division,
             ModuleArbitration arbitration,
             Supplier<NewGhostController> ghosts,
             boolean deterministic) {

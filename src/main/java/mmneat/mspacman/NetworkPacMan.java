@@ -8,6 +8,7 @@ import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.ModuleArbitration;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.controllers.ReadOnlyController;
 import pacman.game.Constants.MOVE;
@@ -40,7 +41,7 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
             Genotype network,
             SensorSettings sensors,
             ModuleArbitration arbitration,
-            ModuleDivision division,
+            @Nullable ModuleDivision division,
             long tieSeed) {
         player = new DirectionEvaluator(SensorSuite.of(sensors).newInputs(), network, arbitration, division);
         ties = new ResumableRandom(tieSeed);
@@ -54,7 +55,8 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
      * @param division selects the module of each step for a multitask network; if null, the division of the task
      * @throws IllegalArgumentException if the network does not fit the task or the division
      */
-    public static NetworkPacMan of(MsPacManTaskSettings task, Genotype network, ModuleDivision division, long tieSeed) {
+    public static NetworkPacMan of(
+            MsPacManTaskSettings task, Genotype network, @Nullable ModuleDivision division, long tieSeed) {
         ModuleDivision ofTask = task.version() == TaskVersion.ISOLATED ? publishedDivision(network) : task.division();
         return new NetworkPacMan(
                 network, task.sensors(), task.arbitration(), division == null ? ofTask : division, tieSeed);
@@ -67,7 +69,7 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
      *     games with this number of modules
      * @throws IllegalArgumentException if the network has neither 26, 30 nor 38 inputs
      */
-    public static NetworkPacMan published(Genotype network, ModuleDivision division, long tieSeed) {
+    public static NetworkPacMan published(Genotype network, @Nullable ModuleDivision division, long tieSeed) {
         return new NetworkPacMan(
                 network,
                 publishedSensors(network.inputs()),
@@ -88,7 +90,7 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
                         + " inputs; networks of the published experiments have 30 (blended), 26 (interleaved, isolated) or 38 (split sensors)");
     }
 
-    private static ModuleDivision publishedDivision(Genotype network) {
+    private static @Nullable ModuleDivision publishedDivision(Genotype network) {
         if (!network.layout().isDivided()) {
             return null;
         }
@@ -98,13 +100,13 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
     }
 
     @Override
-    public MOVE getMove(Game game, long timeDue) {
+    public @Nullable MOVE getMove(Game game, long timeDue) {
         return decide(game, game.rnd);
     }
 
     /** {@inheritDoc} The passed generator is not used, because it belongs to the game. */
     @Override
-    public MOVE decide(Game game, ResumableRandom ofTheGame) {
+    public @Nullable MOVE decide(Game game, ResumableRandom ofTheGame) {
         int direction = player.decide(game, ties);
         // Null requests the end of the game, as in the original.
         return direction == DirectionEvaluator.END_GAME ? null : MOVES[direction];

@@ -3,6 +3,7 @@ package mmneat.mspacman;
 import java.util.EnumMap;
 import java.util.Objects;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.controllers.NewGhostController;
 import pacman.game.Constants.GHOST;
@@ -33,7 +34,7 @@ public final class OwnGhostTeam extends NewGhostController {
     }
 
     @Override
-    public EnumMap<GHOST, MOVE> getMove(Game game, long timeDue) {
+    public @Nullable EnumMap<GHOST, MOVE> getMove(Game game, long timeDue) {
         return team.getMove(game, timeDue);
     }
 }

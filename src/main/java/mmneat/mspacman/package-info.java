@@ -18,4 +18,7 @@
  *
  * <p>Source: Schrum and Miikkulainen 2016, sections 3 to 5; docs/specification/mspacman-task.md.
  */
+@NullMarked
 package mmneat.mspacman;
+
+import org.jspecify.annotations.NullMarked;

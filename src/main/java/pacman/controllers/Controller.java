@@ -1,5 +1,7 @@
 package pacman.controllers;
 
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
 
 /**
@@ -19,7 +21,7 @@ import pacman.game.Game;
 public abstract class Controller<T> implements Runnable {
 
     /** The stored answer; null before the first. A long computation may store a provisional answer early. */
-    protected volatile T lastMove;
+    protected volatile @Nullable T lastMove;
 
     /** The lock of the worker that decides. */
     private final Object deciding = new Object();
@@ -28,14 +30,14 @@ public abstract class Controller<T> implements Runnable {
     private volatile boolean signalled;
     private volatile boolean computed;
     private volatile boolean busy;
-    private volatile Game game;
+    private volatile @Nullable Game game;
     private volatile long timeDue;
 
     // Counts since the last revival; see Decisions.
     private int updates;
     private int answeredUpdate;
     private int answers;
-    private Throwable failure;
+    private @Nullable Throwable failure;
 
     /**
      * Number of revivals. It prevents a worker that is left over from an earlier timed game from storing its answer.
@@ -100,7 +102,7 @@ public abstract class Controller<T> implements Runnable {
     }
 
     /** Returns the stored answer, which may be that of an earlier state; null if there is none yet. */
-    public final T getMove() {
+    public final @Nullable T getMove() {
         return lastMove;
     }
 
@@ -154,7 +156,7 @@ public abstract class Controller<T> implements Runnable {
             }
             T move;
             try {
-                move = getMove(asked, due);
+                move = getMove(Objects.requireNonNull(asked, "a worker starts after an update"), due);
             } catch (Throwable thrown) {
                 noteFailure(revival, thrown);
                 throw thrown;
@@ -194,5 +196,5 @@ public abstract class Controller<T> implements Runnable {
      * @param timeDue wall-clock time in milliseconds at which the answer is due, or -1 for none; for information
      *     only
      */
-    public abstract T getMove(Game game, long timeDue);
+    public abstract @Nullable T getMove(Game game, long timeDue);
 }

@@ -1,5 +1,7 @@
 package pacman.controllers;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Counts of a controller's decisions since it was last made ready for a timed game.
  *
@@ -8,7 +10,11 @@ package pacman.controllers;
  * @param isUpToDate whether the last state passed has been answered
  * @param failure the exception that froze the controller; null if none did
  */
-public record Decisions(int updates, int answers, boolean isUpToDate, Throwable failure) {
+public record Decisions(
+        int updates,
+        int answers,
+        boolean isUpToDate,
+        @Nullable Throwable failure) {
 
     /** Returns the counts so far. */
     public static Decisions of(Controller<?> controller) {

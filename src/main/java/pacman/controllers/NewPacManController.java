@@ -1,5 +1,6 @@
 package pacman.controllers;
 
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.MOVE;
 import pacman.game.Game;
 
@@ -44,7 +45,7 @@ public abstract class NewPacManController extends Controller<MOVE> {
     }
 
     @Override
-    public MOVE getMove(Game game, long timeDue) {
+    public @Nullable MOVE getMove(Game game, long timeDue) {
         try {
             int action = getAction(game, timeDue);
             if (action == END_GAME_CODE) {

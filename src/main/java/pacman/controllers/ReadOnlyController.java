@@ -1,6 +1,7 @@
 package pacman.controllers;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
 
 /**
@@ -23,5 +24,6 @@ public interface ReadOnlyController<T> {
      * @param game read, not changed
      * @param random the caller's generator, set by {@link Game#continueAsCopy}; the controller may draw from it
      */
+    @Nullable
     T decide(Game game, ResumableRandom random);
 }

@@ -8,4 +8,7 @@
  *
  * <p>Source: docs/specification/controllers.md, sections 2 and 3.
  */
+@NullMarked
 package pacman.controllers;
+
+import org.jspecify.annotations.NullMarked;

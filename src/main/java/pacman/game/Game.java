@@ -3,7 +3,9 @@ package pacman.game;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Objects;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -75,7 +77,7 @@ public final class Game {
      *     ghosts that leave the lair, missing pills, and a number whenever a ghost's edible time ends. Copies under
      *     {@link GameRules.Copies#CONTINUE_THE_GAME} also draw from it. If null, the game's own generator is used
      */
-    public Game(long seed, GameRules rules, ResumableRandom shared) {
+    public Game(long seed, GameRules rules, @Nullable ResumableRandom shared) {
         this(new GameState(seed, rules, shared));
     }
 
@@ -165,7 +167,7 @@ public final class Game {
      *     whose request is missing, closed or back goes straight on; if that way is closed, it takes a random open
      *     direction that is not back
      */
-    public void advanceGame(MOVE pacManMove, EnumMap<GHOST, MOVE> ghostMoves) {
+    public void advanceGame(@Nullable MOVE pacManMove, @Nullable EnumMap<GHOST, MOVE> ghostMoves) {
         if (endsByNull(pacManMove)) {
             return;
         }
@@ -180,7 +182,7 @@ public final class Game {
      *
      * @param ghostMoves requested directions, encoded as {@link GhostMoves}
      */
-    public void advanceGame(MOVE pacManMove, int ghostMoves) {
+    public void advanceGame(@Nullable MOVE pacManMove, int ghostMoves) {
         if (endsByNull(pacManMove)) {
             return;
         }
@@ -190,7 +192,7 @@ public final class Game {
         state.calls++;
     }
 
-    private boolean endsByNull(MOVE pacManMove) {
+    private boolean endsByNull(@Nullable MOVE pacManMove) {
         if (pacManMove == null
                 && state.calls > CALLS_BEFORE_NULL_COUNTS
                 && state.rules.conventions() == Conventions.MM_NEAT) {
@@ -232,12 +234,12 @@ public final class Game {
      * {@code updateGhosts}, {@code updateGame}. They are for controllers that simulate parts of a step in their copy;
      * all others call {@code advanceGame}.
      */
-    public void updatePacMan(MOVE pacManMove) {
+    public void updatePacMan(@Nullable MOVE pacManMove) {
         GameStep.updatePacMan(state, GhostMoves.request(pacManMove));
     }
 
     /** The ghosts' part of a step: they move, or reverse at random or after a power pill. */
-    public void updateGhosts(EnumMap<GHOST, MOVE> ghostMoves) {
+    public void updateGhosts(@Nullable EnumMap<GHOST, MOVE> ghostMoves) {
         updateGhosts(ghostMoves, Reversal.NORMAL);
     }
 
@@ -251,7 +253,7 @@ public final class Game {
         updateGhosts(ghostMoves, Reversal.FORCED);
     }
 
-    private void updateGhosts(EnumMap<GHOST, MOVE> moves, Reversal reversal) {
+    private void updateGhosts(@Nullable EnumMap<GHOST, MOVE> moves, Reversal reversal) {
         if (moves == null) {
             GameStep.updateGhosts(state, GhostMoves.NONE, reversal);
             return;
@@ -269,7 +271,8 @@ public final class Game {
     }
 
     /** Writes the move that a ghost made into the caller's map, or NEUTRAL if the caller gave no move for it. */
-    private void report(EnumMap<GHOST, MOVE> moves, GHOST ghost, MOVE requested, int moved, boolean isComplete) {
+    private void report(
+            EnumMap<GHOST, MOVE> moves, GHOST ghost, @Nullable MOVE requested, int moved, boolean isComplete) {
         if ((moved >>> ghost.ordinal() & 1) != 0) {
             MOVE made = getGhostLastMoveMade(ghost);
             if (made != requested) {
@@ -634,21 +637,21 @@ public final class Game {
 
     /** Open directions of a node, in the order up, right, down, left; empty for the lair. */
     public MOVE[] getPossibleMoves(int nodeIndex) {
-        return moves().moves(nodeIndex, MOVE.NEUTRAL);
+        return Objects.requireNonNull(moves().moves(nodeIndex, MOVE.NEUTRAL));
     }
 
     /** Open directions except back; all for NEUTRAL; null if the node cannot be entered by that move. */
-    public MOVE[] getPossibleMoves(int nodeIndex, MOVE lastMoveMade) {
+    public MOVE @Nullable [] getPossibleMoves(int nodeIndex, MOVE lastMoveMade) {
         return moves().moves(nodeIndex, lastMoveMade);
     }
 
     /** Neighbours in the order up, right, down, left; empty for the lair. */
     public int[] getNeighbouringNodes(int nodeIndex) {
-        return moves().neighbours(nodeIndex, MOVE.NEUTRAL);
+        return Objects.requireNonNull(moves().neighbours(nodeIndex, MOVE.NEUTRAL));
     }
 
     /** Neighbours except the one behind; all for NEUTRAL; null if the node cannot be entered by that move. */
-    public int[] getNeighbouringNodes(int nodeIndex, MOVE lastMoveMade) {
+    public int @Nullable [] getNeighbouringNodes(int nodeIndex, MOVE lastMoveMade) {
         return moves().neighbours(nodeIndex, lastMoveMade);
     }
 
@@ -657,14 +660,14 @@ public final class Game {
     }
 
     /** The node in a direction; -1 if there is none, also for NEUTRAL and null. */
-    public int getNeighbour(int nodeIndex, MOVE moveToBeMade) {
+    public int getNeighbour(int nodeIndex, @Nullable MOVE moveToBeMade) {
         return moveToBeMade == null || moveToBeMade == MOVE.NEUTRAL
                 ? -1
                 : state.graph.neighbour(nodeIndex, moveToBeMade.ordinal());
     }
 
     /** The direction from a node to a neighbour; null if the nodes are not neighbours. */
-    public MOVE getMoveToMakeToReachDirectNeighbour(int currentNodeIndex, int neighbourNodeIndex) {
+    public @Nullable MOVE getMoveToMakeToReachDirectNeighbour(int currentNodeIndex, int neighbourNodeIndex) {
         for (int direction = 0; direction < 4; direction++) {
             int next = state.graph.neighbour(currentNodeIndex, direction);
             if (next >= 0 && next == neighbourNodeIndex) {
@@ -776,12 +779,12 @@ public final class Game {
     }
 
     /** The direction whose neighbour is nearest to a target; null in the lair. */
-    public MOVE getNextMoveTowardsTarget(int fromNodeIndex, int toNodeIndex, DM distanceMeasure) {
+    public @Nullable MOVE getNextMoveTowardsTarget(int fromNodeIndex, int toNodeIndex, DM distanceMeasure) {
         return MoveQueries.nextMove(state.tables, fromNodeIndex, toNodeIndex, distanceMeasure, true);
     }
 
     /** The direction whose neighbour is farthest from a target; null in the lair. */
-    public MOVE getNextMoveAwayFromTarget(int fromNodeIndex, int toNodeIndex, DM distanceMeasure) {
+    public @Nullable MOVE getNextMoveAwayFromTarget(int fromNodeIndex, int toNodeIndex, DM distanceMeasure) {
         return MoveQueries.nextMove(state.tables, fromNodeIndex, toNodeIndex, distanceMeasure, false);
     }
 
@@ -789,7 +792,7 @@ public final class Game {
      * The direction, other than back, whose neighbour is nearest to a target. The distance from the neighbour is that
      * of {@link #getDistance(int, int, DM)}, which allows turning back on the rest of the way.
      */
-    public MOVE getApproximateNextMoveTowardsTarget(
+    public @Nullable MOVE getApproximateNextMoveTowardsTarget(
             int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
         return MoveQueries.nextMove(
                 state.tables, fromNodeIndex, toNodeIndex, lastMoveMade.ordinal(), distanceMeasure, true);
@@ -799,23 +802,25 @@ public final class Game {
      * The direction, other than back, whose neighbour is farthest from a target. The distance from the neighbour is
      * that of {@link #getDistance(int, int, DM)}, which allows turning back on the rest of the way.
      */
-    public MOVE getApproximateNextMoveAwayFromTarget(
+    public @Nullable MOVE getApproximateNextMoveAwayFromTarget(
             int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
         return MoveQueries.nextMove(
                 state.tables, fromNodeIndex, toNodeIndex, lastMoveMade.ordinal(), distanceMeasure, false);
     }
 
     /** The direction, other than back, from which the path that never turns back is shortest. */
-    public MOVE getNextMoveTowardsTarget(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
+    public @Nullable MOVE getNextMoveTowardsTarget(
+            int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
         return nextMoveDirected(fromNodeIndex, toNodeIndex, lastMoveMade, distanceMeasure, true);
     }
 
     /** The direction, other than back, from which the path that never turns back is longest. */
-    public MOVE getNextMoveAwayFromTarget(int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
+    public @Nullable MOVE getNextMoveAwayFromTarget(
+            int fromNodeIndex, int toNodeIndex, MOVE lastMoveMade, DM distanceMeasure) {
         return nextMoveDirected(fromNodeIndex, toNodeIndex, lastMoveMade, distanceMeasure, false);
     }
 
-    private MOVE nextMoveDirected(int from, int to, MOVE lastMoveMade, DM metric, boolean towards) {
+    private @Nullable MOVE nextMoveDirected(int from, int to, MOVE lastMoveMade, DM metric, boolean towards) {
         return MoveQueries.nextMoveDirected(
                 state.tables, from, to, lastMoveMade.ordinal(), metric, towards, state.rules.conventions());
     }
@@ -1013,12 +1018,12 @@ public final class Game {
     }
 
     /** Total time before the step of each pill and power pill eaten; null in copies. */
-    public List<Integer> getPillEatTimes() {
+    public @Nullable List<Integer> getPillEatTimes() {
         return state.history == null ? null : state.history.pillEatTimes.toList();
     }
 
     /** Total time before the step of each ghost eaten; null in copies. */
-    public List<Integer> getGhostEatTimes() {
+    public @Nullable List<Integer> getGhostEatTimes() {
         return state.history == null ? null : state.history.ghostEatTimes.toList();
     }
 

@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.GHOST;
 import pacman.game.GameRules.Conventions;
 import pacman.game.GameRules.Copies;
@@ -72,13 +73,19 @@ final class GameState {
     /** Copies made so far of this object. */
     private int copies;
     /** Generator of the run to which the game belongs; null if the game only draws from its own generator. */
-    final ResumableRandom shared;
+    final @Nullable ResumableRandom shared;
     /** The history of the game; null in copies. */
-    final GameHistory history;
+    final @Nullable GameHistory history;
 
+    @SuppressWarnings("NullAway.Init")
     MazeTables tables;
+
+    @SuppressWarnings("NullAway.Init")
     MazeGraph graph;
+
+    @SuppressWarnings("NullAway.Init")
     MazePoses poses;
+
     int mazeIndex;
     /** Level from 0. */
     int level;
@@ -116,6 +123,7 @@ final class GameState {
     int minGhostDistance;
 
     /** Bit set of the pills present, by pill number. */
+    @SuppressWarnings("NullAway.Init")
     long[] pills;
 
     int pillsLeft;
@@ -142,7 +150,7 @@ final class GameState {
     long timeInDeadSpace;
     double lureDistance;
 
-    GameState(long seed, GameRules rules, ResumableRandom shared) {
+    GameState(long seed, GameRules rules, @Nullable ResumableRandom shared) {
         this.rules = rules;
         this.shared = shared;
         random = new ResumableRandom(seed);
@@ -152,7 +160,7 @@ final class GameState {
         start();
     }
 
-    private GameState(GameState other, ResumableRandom random, ResumableRandom shared, long copySeed) {
+    private GameState(GameState other, ResumableRandom random, @Nullable ResumableRandom shared, long copySeed) {
         boolean complete = other.rules.conventions() == Conventions.COMPETITION;
         rules = other.rules;
         this.random = random;

@@ -6,6 +6,7 @@ import static pacman.game.GameState.LAIR;
 import static pacman.game.GameState.NO_MOVE;
 import static pacman.game.GameState.POSE;
 
+import java.util.Objects;
 import pacman.game.GameRules.Conventions;
 import pacman.maze.MazeGraph;
 import pacman.maze.MazePoses;
@@ -409,9 +410,7 @@ final class GameStep {
         }
         if (state.has(GameSwitch.LAIR_EXIT_DATABASE)) {
             int observation = state.taskRandom().nextInt(GhostLocations.SITUATIONS);
-            return state.rules
-                    .ghosts()
-                    .ghostLocations()
+            return Objects.requireNonNull(state.rules.ghosts().ghostLocations(), "the switch needs ghost locations")
                     .node(state.mazeIndex, state.rules.mazes().startingPowerPill(), observation, ghost);
         }
         return state.graph.ghostStart();

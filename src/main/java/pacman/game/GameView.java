@@ -23,6 +23,7 @@ import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.internal.Maze;
@@ -74,7 +75,7 @@ public final class GameView extends JComponent {
 
     private volatile String announcement = "";
     private MOVE facing;
-    private GameFrame frame;
+    private @Nullable GameFrame frame;
 
     /**
      * @param game the game to show while it is played
@@ -326,7 +327,7 @@ public final class GameView extends JComponent {
     }
 
     /** The window; null before {@link #showGame}, and without a display. */
-    public GameFrame getFrame() {
+    public @Nullable GameFrame getFrame() {
         return frame;
     }
 

@@ -1,5 +1,6 @@
 package pacman.game;
 
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 
@@ -23,7 +24,7 @@ public final class GhostMoves {
     private GhostMoves() {}
 
     /** Returns the moves with that of one ghost replaced; null is the same as NEUTRAL. */
-    public static int with(int moves, GHOST ghost, MOVE move) {
+    public static int with(int moves, GHOST ghost, @Nullable MOVE move) {
         int shift = BITS * ghost.ordinal();
         return moves & ~(MASK << shift) | request(move) << shift;
     }
@@ -37,11 +38,11 @@ public final class GhostMoves {
         return moves >>> BITS * ghost & MASK;
     }
 
-    static int packed(MOVE blinky, MOVE pinky, MOVE inky, MOVE sue) {
+    static int packed(@Nullable MOVE blinky, @Nullable MOVE pinky, @Nullable MOVE inky, @Nullable MOVE sue) {
         return request(blinky) | request(pinky) << BITS | request(inky) << 2 * BITS | request(sue) << 3 * BITS;
     }
 
-    static int request(MOVE move) {
+    static int request(@Nullable MOVE move) {
         return move == null ? GameState.NO_MOVE : move.ordinal();
     }
 }

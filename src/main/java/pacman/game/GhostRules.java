@@ -1,5 +1,7 @@
 package pacman.game;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The rules for the ghosts of a game: their number, their times and where they leave the lair. Immutable. Times are in
  * game steps.
@@ -22,7 +24,7 @@ public record GhostRules(
         int lairTime,
         boolean imprisonedWhileEdible,
         boolean randomGhostReversals,
-        GhostLocations ghostLocations) {
+        @Nullable GhostLocations ghostLocations) {
 
     /** MM-NEAT's defaults: the four ghosts of the competition. */
     static final GhostRules MM_NEAT = new GhostRules(

@@ -1,5 +1,6 @@
 package pacman.game;
 
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.MOVE;
 import pacman.game.GameRules.Conventions;
@@ -70,12 +71,12 @@ final class MoveQueries {
         return tables.paths().directedLength(from, to, lastMove);
     }
 
-    static MOVE nextMove(MazeTables tables, int from, int to, DM metric, boolean towards) {
+    static @Nullable MOVE nextMove(MazeTables tables, int from, int to, DM metric, boolean towards) {
         return nextMove(tables, from, to, GameState.NO_MOVE, metric, towards);
     }
 
     /** Compares plain distances from the neighbours, except the one behind. */
-    static MOVE nextMove(MazeTables tables, int from, int to, int lastMove, DM metric, boolean towards) {
+    static @Nullable MOVE nextMove(MazeTables tables, int from, int to, int lastMove, DM metric, boolean towards) {
         MazeGraph graph = tables.graph();
         int back = back(graph, from, lastMove);
         MOVE best = null;
@@ -95,7 +96,7 @@ final class MoveQueries {
     }
 
     /** Compares distances from the neighbours, except the one behind, along paths that never turn back. */
-    static MOVE nextMoveDirected(
+    static @Nullable MOVE nextMoveDirected(
             MazeTables tables, int from, int to, int lastMove, DM metric, boolean towards, Conventions conventions) {
         MazeGraph graph = tables.graph();
         int back = back(graph, from, lastMove);

@@ -1,6 +1,7 @@
 package pacman.game;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.MOVE;
 import pacman.maze.MazeGraph;
 import pacman.maze.MazeTables;
@@ -50,12 +51,12 @@ final class NodeMoves {
     }
 
     /** Returns the directions except back; null if the node cannot be entered by that move. */
-    MOVE[] moves(int node, MOVE lastMove) {
+    MOVE @Nullable [] moves(int node, @Nullable MOVE lastMove) {
         return lastMove == null ? null : moves[5 * node + lastMove.ordinal()];
     }
 
     /** Returns the neighbours in those directions. */
-    int[] neighbours(int node, MOVE lastMove) {
+    int @Nullable [] neighbours(int node, @Nullable MOVE lastMove) {
         return lastMove == null ? null : neighbours[5 * node + lastMove.ordinal()];
     }
 }

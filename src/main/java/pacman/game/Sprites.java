@@ -11,6 +11,7 @@ import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.util.EnumMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Consumer;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -67,12 +68,12 @@ final class Sprites {
 
     /** @param time game step, which chooses one of three mouths, two steps each */
     BufferedImage pacMan(MOVE move, int time) {
-        return pacMan.get(move)[time % 6 / 2];
+        return Objects.requireNonNull(pacMan.get(move))[time % 6 / 2];
     }
 
     /** @param time game step, which chooses one of two pictures, three steps each */
     BufferedImage ghost(GHOST ghost, MOVE move, int time) {
-        return ghosts.get(ghost).get(move)[time % 6 / 3];
+        return Objects.requireNonNull(Objects.requireNonNull(ghosts.get(ghost)).get(move))[time % 6 / 3];
     }
 
     /** @param isBlinking whether the edible time is almost over; then every other picture is bright */

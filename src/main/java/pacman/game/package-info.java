@@ -12,4 +12,7 @@
  *
  * <p>Source: docs/specification/simulator.md.
  */
+@NullMarked
 package pacman.game;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import mmneat.analysis.results.RunParameters;
@@ -106,11 +107,12 @@ public record Champion(
 
     /** A name for headings: the folder and file it was read from. */
     public String name() {
-        Path folder = file.toAbsolutePath().normalize().getParent();
+        Path folder = Objects.requireNonNull(file.toAbsolutePath().normalize().getParent());
         String fileName = file.getFileName().toString();
         boolean original = RunLayout.isNamedAsOriginalChampion(file);
         return original || fileName.startsWith(RunLayout.CHAMPION)
-                ? String.valueOf((original ? folder.getParent() : folder).getFileName())
+                ? String.valueOf(Objects.requireNonNull(original ? folder.getParent() : folder)
+                        .getFileName())
                 : fileName.replaceFirst("\\.(json|xml)$", "");
     }
 }

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -76,7 +77,8 @@ public final class ChampionEvaluator implements AutoCloseable {
 
         Job(Champion champion, MsPacManTaskSettings settings) {
             network = champion.genotype().id();
-            Path folder = champion.file().toAbsolutePath().getParent();
+            Path folder =
+                    Objects.requireNonNull(champion.file().toAbsolutePath().getParent());
             String prefix = champion.runFolder().isPresent() && isOfRun(champion) ? "" : champion.name() + "-";
             Path place = prefix.isEmpty() ? champion.runFolder().get() : folder;
             table = place.resolve(prefix + RunLayout.evaluationGames(rules.label()));
@@ -109,7 +111,7 @@ public final class ChampionEvaluator implements AutoCloseable {
             return settings.version() == TaskVersion.ISOLATED
                     ? "; ghost locations "
                             + Integer.toHexString(
-                                    settings.rules().ghosts().ghostLocations().hashCode())
+                                    Objects.hashCode(settings.rules().ghosts().ghostLocations()))
                     : "";
         }
 

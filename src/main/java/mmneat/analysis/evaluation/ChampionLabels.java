@@ -10,6 +10,7 @@ import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
+import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.io.NetworkLabels;
 
@@ -58,10 +59,10 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
      * it or its group, for example "module 2: a ghost edible".
      */
     public static NetworkLabels of(MsPacManTaskSettings settings, ModuleLayout layout) {
-        boolean divided = layout.isDivided() && settings.division() != null;
+        ModuleDivision division = layout.isDivided() ? settings.division() : null;
         List<String> modules = IntStream.range(0, layout.modules())
                 .mapToObj(module -> "module " + (module + 1)
-                        + (divided ? ": " + settings.division().observation(layout.choiceOf(module)) : ""))
+                        + (division != null ? ": " + division.observation(layout.choiceOf(module)) : ""))
                 .toList();
         return new NetworkLabels(SensorNames.of(new MsPacManTask(settings).inputLabels()), modules);
     }

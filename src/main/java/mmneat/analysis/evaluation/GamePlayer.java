@@ -3,6 +3,7 @@ package mmneat.analysis.evaluation;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import mmneat.evolution.Evaluation;
 import mmneat.mspacman.DirectionEvaluator;
 import mmneat.mspacman.EvaluationObserver;
@@ -13,6 +14,7 @@ import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TrialGame;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
 
 /** Plays single games of a network and records their results. Not thread-safe. */
@@ -24,9 +26,11 @@ final class GamePlayer implements EvaluationObserver {
 
     private final MsPacManTask task;
     private final Genotype genotype;
-    private GameEnd end;
+    private @Nullable GameEnd end;
     private int maze;
     private int levels;
+
+    @SuppressWarnings("NullAway.Init")
     private ModuleUse use;
 
     GamePlayer(MsPacManTaskSettings settings, Genotype genotype) {
@@ -51,7 +55,7 @@ final class GamePlayer implements EvaluationObserver {
                 evaluation.objectives()[PILLS],
                 levels,
                 evaluation.outcomes().steps(),
-                end,
+                Objects.requireNonNull(end, "the game is over"),
                 maze,
                 counts);
     }

@@ -11,12 +11,14 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 import mmneat.analysis.figures.Canvas.Align;
+import org.jspecify.annotations.Nullable;
 
 /** A chart with two axes, curves, areas, points and labels. */
 final class Panel {
 
     /** A line through points; if the stroke is null, the points are the corners of a filled polygon. */
-    private record Curve(double[] x, double[] y, Color color, BasicStroke stroke) {}
+    private record Curve(
+            double[] x, double[] y, Color color, @Nullable BasicStroke stroke) {}
 
     private record Points(double[] x, double[] y, MethodStyle style) {}
 

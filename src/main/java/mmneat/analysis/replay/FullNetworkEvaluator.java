@@ -1,12 +1,14 @@
 package mmneat.analysis.replay;
 
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.sensors.NetworkInputs;
 import mmneat.mspacman.sensors.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.Network;
 import mmneat.neat.network.NetworkState;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
 
 /**
@@ -22,17 +24,15 @@ import pacman.game.Game;
  */
 final class FullNetworkEvaluator {
 
-    private final MsPacManTaskSettings settings;
     private final NetworkInputs sensors;
     private final NetworkState[] states = new NetworkState[4];
     private final int inputs;
     private final int nodes;
-    private final boolean isDivided;
+    private final @Nullable ModuleDivision division;
     private final ResumableRandom random = new ResumableRandom(0);
     private int livesBefore = -1;
 
     FullNetworkEvaluator(MsPacManTaskSettings settings, Genotype genotype) {
-        this.settings = settings;
         sensors = SensorSuite.of(settings.sensors()).newInputs();
         Network network = Network.compileWithAllNodes(genotype);
         for (int d = 0; d < states.length; d++) {
@@ -40,7 +40,7 @@ final class FullNetworkEvaluator {
         }
         inputs = genotype.inputs();
         nodes = genotype.nodes().size();
-        isDivided = genotype.layout().isDivided();
+        division = genotype.layout().isDivided() ? settings.division() : null;
     }
 
     void startGame() {
@@ -64,8 +64,8 @@ final class FullNetworkEvaluator {
                 continue;
             }
             System.arraycopy(sensors.inputs(d), 0, step.sensors[d], 0, inputs);
-            if (isDivided) {
-                states[d].presetModule(settings.division().module(sensors.observation()));
+            if (division != null) {
+                states[d].presetModule(division.module(sensors.observation()));
             }
             states[d].activate(step.sensors[d], random);
             for (int node = inputs; node < nodes; node++) {

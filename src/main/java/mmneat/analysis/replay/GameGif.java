@@ -31,9 +31,16 @@ public final class GameGif implements EvaluationObserver {
     private final int modules;
     private final GifSequence sequence;
     private final int stepsPerFrame;
+
+    @SuppressWarnings("NullAway.Init")
     private TrailPicture picture;
+
+    @SuppressWarnings("NullAway.Init")
     private BufferedImage frame;
+
+    @SuppressWarnings("NullAway.Init")
     private String title;
+
     private int step;
     private int frames;
     private final Progress progress;

@@ -7,6 +7,7 @@ import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.util.Objects;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
@@ -19,6 +20,7 @@ import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TrialGame;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
 
 /**
@@ -35,9 +37,14 @@ public final class GameWindow implements EvaluationObserver {
     private final int modules;
     private final int millisecondsPerStep;
     private final Canvas canvas = new Canvas();
-    private JFrame frame;
+    private @Nullable JFrame frame;
+
+    @SuppressWarnings("NullAway.Init")
     private TrailPicture picture;
+
+    @SuppressWarnings("NullAway.Init")
     private String title;
+
     private int score;
 
     private GameWindow(int modules, int millisecondsPerStep) {
@@ -54,7 +61,7 @@ public final class GameWindow implements EvaluationObserver {
     public static int show(MsPacManTaskSettings settings, Genotype genotype, long seed, int millisecondsPerStep) {
         GameWindow window = new GameWindow(genotype.modules(), millisecondsPerStep);
         new MsPacManTask(settings.forSingleGames()).evaluate(genotype, new ResumableRandom(seed), window);
-        window.frame.dispose();
+        Objects.requireNonNull(window.frame, "the game has been shown").dispose();
         return window.score;
     }
 
@@ -119,7 +126,7 @@ public final class GameWindow implements EvaluationObserver {
     /** The component in which the event thread shows the image that the playing thread drew last. */
     private static final class Canvas extends JComponent {
 
-        private transient BufferedImage shown;
+        private transient @Nullable BufferedImage shown;
         private boolean halted;
 
         Canvas() {

@@ -14,6 +14,7 @@ import javax.imageio.metadata.IIOInvalidTreeException;
 import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A writer of an endlessly repeated animated GIF, frame by frame. All frames have the same size.
@@ -35,7 +36,7 @@ final class GifSequence implements AutoCloseable {
     private final ImageOutputStream stream;
 
     /** Palette indices of the previous frame, row by row; null before the first frame. */
-    private byte[] before;
+    private byte @Nullable [] before;
 
     GifSequence(OutputStream out) throws IOException {
         writer = ImageIO.getImageWritersByFormatName("gif").next();

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import mmneat.analysis.replay.ReplayNetwork.Kind;
 import mmneat.neat.Genotype;
 import mmneat.neat.LinkGene;
@@ -27,8 +28,8 @@ final class NetworkPicture {
         List<ReplayNetwork.Link> links = new ArrayList<>();
         for (LinkGene link : genotype.links()) {
             if (link.active()) {
-                int source = positions.get(link.source());
-                int target = positions.get(link.target());
+                int source = Objects.requireNonNull(positions.get(link.source()));
+                int target = Objects.requireNonNull(positions.get(link.target()));
                 // Whether a link is recurrent follows from the order of the nodes, not from the gene's flag: see
                 // docs/specification/networks.md, section 5.
                 links.add(new ReplayNetwork.Link(source, target, link.weight(), target <= source));

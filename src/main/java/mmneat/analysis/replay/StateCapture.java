@@ -12,6 +12,8 @@ final class StateCapture {
 
     private final ReplayRecorder recorder;
     private final ReplayStep step;
+
+    @SuppressWarnings("NullAway.Init")
     private MazeGraph maze;
 
     /**

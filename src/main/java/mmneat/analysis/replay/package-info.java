@@ -7,4 +7,7 @@
  * mmneat.analysis.replay.Replay}, of which {@link mmneat.analysis.replay.ReplayPage} makes the page. A trial is one
  * game, except in the isolated version of the task: there it is a set of five games.
  */
+@NullMarked
 package mmneat.analysis.replay;
+
+import org.jspecify.annotations.NullMarked;

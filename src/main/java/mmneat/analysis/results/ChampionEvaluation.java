@@ -3,6 +3,7 @@ package mmneat.analysis.results;
 import com.fasterxml.jackson.annotation.JsonIgnore;
 import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The summary of many games of a champion, which {@code evaluate} writes into the run's folder.
@@ -23,9 +24,9 @@ public record ChampionEvaluation(
         String rules,
         int games,
         double meanScore,
-        Double standardDeviation,
-        Double low,
-        Double high,
+        @Nullable Double standardDeviation,
+        @Nullable Double low,
+        @Nullable Double high,
         List<long[]> moduleUse,
         long[] deathsByMaze) {
 
@@ -63,9 +64,12 @@ public record ChampionEvaluation(
             low = null;
             high = null;
         } else {
-            require(isFinite(standardDeviation) && standardDeviation >= 0, "standardDeviation", standardDeviation);
-            require(isFinite(low) && low <= meanScore, "low", low);
-            require(isFinite(high) && high >= meanScore, "high", high);
+            require(
+                    standardDeviation != null && Double.isFinite(standardDeviation) && standardDeviation >= 0,
+                    "standardDeviation",
+                    standardDeviation);
+            require(low != null && Double.isFinite(low) && low <= meanScore, "low", low);
+            require(high != null && Double.isFinite(high) && high >= meanScore, "high", high);
         }
         require(rules != null, "rules", rules);
         require(
@@ -85,11 +89,7 @@ public record ChampionEvaluation(
         moduleUse = List.copyOf(moduleUse);
     }
 
-    private static boolean isFinite(Double value) {
-        return value != null && Double.isFinite(value);
-    }
-
-    private static void require(boolean isPossible, String name, Object value) {
+    private static void require(boolean isPossible, String name, @Nullable Object value) {
         if (!isPossible) {
             throw new IllegalArgumentException(name + " cannot be " + value);
         }

@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * The paper's champions and learning curves, read off its figures: 30 champions per method, medians for generations 0
@@ -46,15 +47,15 @@ public final class PublishedResults {
     public static PublishedResults read() {
         List<Champion> champions = rows("champions.csv").stream()
                 .map(row -> new Champion(
-                        row.get("version"),
-                        row.get("method"),
+                        Objects.requireNonNull(row.get("version")),
+                        Objects.requireNonNull(row.get("method")),
                         Double.parseDouble(row.get("average_score")),
                         Double.parseDouble(row.get("most_used_module_percent"))))
                 .toList();
         List<CurvePoint> curves = rows("learning-curves.csv").stream()
                 .map(row -> new CurvePoint(
-                        row.get("version"),
-                        row.get("method"),
+                        Objects.requireNonNull(row.get("version")),
+                        Objects.requireNonNull(row.get("method")),
                         Integer.parseInt(row.get("generation")),
                         Double.parseDouble(row.get("median_champion_score"))))
                 .toList();

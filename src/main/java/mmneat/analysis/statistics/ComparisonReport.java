@@ -5,6 +5,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /** The tables of a comparison: the groups, the pairs, and optionally each group against the paper's. */
 public final class ComparisonReport {
@@ -14,7 +15,7 @@ public final class ComparisonReport {
 
     private static final double INTERVAL = 0.95;
 
-    private final Comparison comparison;
+    private final @Nullable Comparison comparison;
     private final List<Sample> samples;
     private final List<Comparison.Pair> againstPaper;
     private final List<PaperSample> paper;
@@ -30,7 +31,7 @@ public final class ComparisonReport {
      */
     public record PaperSample(Sample sample, boolean isComparable, String differences) {}
 
-    private ComparisonReport(Comparison comparison, List<Sample> samples, List<PaperSample> paper) {
+    private ComparisonReport(@Nullable Comparison comparison, List<Sample> samples, List<PaperSample> paper) {
         this.comparison = comparison;
         this.samples = List.copyOf(samples);
         this.paper = List.copyOf(paper);

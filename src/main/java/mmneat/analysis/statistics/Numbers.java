@@ -1,6 +1,7 @@
 package mmneat.analysis.statistics;
 
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 
 /** The format of numbers in tables, the same for every locale of the machine. */
 public final class Numbers {
@@ -30,12 +31,12 @@ public final class Numbers {
     }
 
     /** A score, or a dash for one that is undefined. */
-    public static String score(Double value) {
+    public static String score(@Nullable Double value) {
         return score(value == null ? Double.NaN : value.doubleValue());
     }
 
     /** An interval of scores, or a dash for one that is undefined. */
-    public static String interval(Double low, Double high) {
+    public static String interval(@Nullable Double low, @Nullable Double high) {
         return low == null || high == null || low.isNaN() ? "-" : score(low) + " to " + score(high);
     }
 

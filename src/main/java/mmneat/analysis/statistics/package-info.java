@@ -3,4 +3,7 @@
  * Bonferroni's correction, as R computes them (docs/specification/evolution.md, section 8), with effect sizes and
  * medians beside them. {@link mmneat.experiment} explains the terms: the paper, method, champion.
  */
+@NullMarked
 package mmneat.analysis.statistics;
+
+import org.jspecify.annotations.NullMarked;

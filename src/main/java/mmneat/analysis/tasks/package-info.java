@@ -8,4 +8,7 @@
  *
  * <p>Source: section 3 of the paper (J. Schrum and R. Miikkulainen, Evolutionary Computation 24(3), 2016).
  */
+@NullMarked
 package mmneat.analysis.tasks;
+
+import org.jspecify.annotations.NullMarked;

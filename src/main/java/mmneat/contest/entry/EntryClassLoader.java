@@ -8,6 +8,7 @@ import java.net.URLClassLoader;
 import java.security.CodeSource;
 import java.security.cert.Certificate;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.ClassWriter;
@@ -135,7 +136,7 @@ final class EntryClassLoader extends URLClassLoader {
     }
 
     /** Returns the jar or folder of a class, which an entry may use to find its files. */
-    private URL placeOf(String className) {
+    private @Nullable URL placeOf(String className) {
         String resource = findResource(fileOf(className)).toString();
         for (URL place : getURLs()) {
             if (resource.startsWith(place.toString()) || resource.startsWith("jar:" + place)) {
@@ -176,7 +177,7 @@ final class EntryClassLoader extends URLClassLoader {
     /**
      * Returns the superclass in the form of class files; null if there is none, or the class is not part of the entry.
      */
-    private String superclassOf(String className) {
+    private @Nullable String superclassOf(String className) {
         return header(className).map(ClassReader::getSuperName).orElse(null);
     }
 

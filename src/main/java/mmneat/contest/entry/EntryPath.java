@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.jar.JarFile;
 import java.util.stream.Collectors;
@@ -62,7 +63,7 @@ final class EntryPath {
      * @throws UserError if the class is in several jars or folders
      */
     Class<?> load(String className) {
-        List<Path> holders = placesOfClasses.get(className);
+        List<Path> holders = placesOf(className);
         if (holders.size() > 1) {
             throw new UserError("'" + className + "' is in "
                     + holders.stream().map(Path::toString).collect(Collectors.joining(" and in "))
@@ -73,11 +74,15 @@ final class EntryPath {
 
     /** Returns the jar or folder of a class of this path. */
     String placeOf(String className) {
-        return placesOfClasses.get(className).get(0).toString();
+        return placesOf(className).get(0).toString();
+    }
+
+    private List<Path> placesOf(String className) {
+        return Objects.requireNonNull(placesOfClasses.get(className), className);
     }
 
     private EntryClassLoader loader(String className) {
-        Path own = placesOfClasses.get(className).get(0);
+        Path own = placesOf(className).get(0);
         URL[] urls = Stream.concat(Stream.of(own), places.stream().filter(place -> !place.equals(own)))
                 .map(this::url)
                 .toArray(URL[]::new);

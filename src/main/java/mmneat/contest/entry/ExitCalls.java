@@ -1,6 +1,7 @@
 package mmneat.contest.entry;
 
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.MethodVisitor;
@@ -17,7 +18,7 @@ final class ExitCalls extends ClassVisitor {
 
     private boolean found;
 
-    ExitCalls(ClassVisitor next) {
+    ExitCalls(@Nullable ClassVisitor next) {
         super(Opcodes.ASM9, next);
     }
 

@@ -1,5 +1,7 @@
 package mmneat.contest.entry;
 
+import org.jspecify.annotations.Nullable;
+
 /** Explains errors of entries that use classes or members of another version of the simulator. */
 public final class MissingMember {
 
@@ -9,7 +11,7 @@ public final class MissingMember {
      * Returns an explanation to append to a message: release 6.2 of the competition's simulator, which this program
      * contains, never had the class, method or field that an entry uses. Empty if the failure has another cause.
      */
-    public static String explanation(Throwable failure) {
+    public static String explanation(@Nullable Throwable failure) {
         for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
             if (isOfTheSimulator(cause)) {
                 return "; release 6.2 of the competition has no such "

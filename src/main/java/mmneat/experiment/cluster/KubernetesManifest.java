@@ -92,8 +92,8 @@ public final class KubernetesManifest {
     }
 
     private static Map<String, Object> pod(ExperimentJob job, JobResources resources, String image, String claim) {
-        Map<String, Object> amounts =
-                fields("cpu", Integer.toString(resources.cpus()), "memory", resources.memoryMebibytes() + "Mi");
+        String memory = resources.memoryMebibytes() + "Mi";
+        Map<String, Object> amounts = fields("cpu", Integer.toString(resources.cpus()), "memory", memory);
         return fields(
                 "restartPolicy",
                 "Never",
@@ -105,7 +105,7 @@ public final class KubernetesManifest {
                         "image", image,
                         "workingDir", job.workingFolder().toString(),
                         "command", List.of("/bin/sh", "-c", shell(job, resources)),
-                        "resources", fields("requests", amounts, "limits", fields("memory", amounts.get("memory"))),
+                        "resources", fields("requests", amounts, "limits", fields("memory", memory)),
                         "volumeMounts",
                                 List.of(fields(
                                         "name",

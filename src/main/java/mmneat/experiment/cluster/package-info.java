@@ -5,4 +5,7 @@
  * for jobs. All classes only write text, except {@link mmneat.experiment.cluster.SlurmSubmission}, which calls
  * programs. The words of a job are parameters of the command line, each {@code name=value}.
  */
+@NullMarked
 package mmneat.experiment.cluster;
+
+import org.jspecify.annotations.NullMarked;

@@ -4,4 +4,7 @@
  *
  * <p>Source: docs/specification/evolution.md, sections 5 and 7.
  */
+@NullMarked
 package mmneat.experiment.original;
+
+import org.jspecify.annotations.NullMarked;

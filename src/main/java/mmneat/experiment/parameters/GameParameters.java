@@ -17,6 +17,7 @@ import mmneat.mspacman.sensors.Sensor;
 import mmneat.mspacman.sensors.SensorGroup;
 import mmneat.mspacman.sensors.SensorSettings;
 import mmneat.neat.network.ModuleArbitration;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.examples.AggressiveGhosts;
 import pacman.controllers.examples.BetterLegacy;
@@ -118,7 +119,7 @@ record GameParameters(
     }
 
     /** @param locations where ghosts appear in the isolated version; null for the others */
-    MsPacManTaskSettings settings(TaskVersion version, GhostLocations locations) {
+    MsPacManTaskSettings settings(TaskVersion version, @Nullable GhostLocations locations) {
         if (!pacmanInputOutputMediator.equals(MEDIATOR)) {
             throw new UserError("pacmanInputOutputMediator=" + pacmanInputOutputMediator + ": must be " + MEDIATOR);
         }
@@ -136,7 +137,7 @@ record GameParameters(
                 ObjectiveParameter.read(objectives, classes, version, rules));
     }
 
-    private GameRules rules(TaskVersion version, GhostLocations locations) {
+    private GameRules rules(TaskVersion version, @Nullable GhostLocations locations) {
         return new GameRules(
                 GameRules.Conventions.MM_NEAT,
                 GameRules.Copies.CONTINUE_THE_GAME,
@@ -213,7 +214,7 @@ record GameParameters(
         return sensor;
     }
 
-    private ModuleDivision division(OwnClasses classes) {
+    private @Nullable ModuleDivision division(OwnClasses classes) {
         if (multitaskModes < 2) {
             return null;
         }

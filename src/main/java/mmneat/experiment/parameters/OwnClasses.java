@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import mmneat.experiment.UserError;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Loader of the user's classes that parameters name, from the class path or from {@code jar=FILE}. {@link NamedCode}
@@ -23,7 +24,7 @@ final class OwnClasses {
     private final String jar;
 
     /** Created with the first request for a class; parameters may name a jar that is not needed. */
-    private ClassLoader loader;
+    private @Nullable ClassLoader loader;
 
     /**
      * Opens the jar or folder, if there is one.

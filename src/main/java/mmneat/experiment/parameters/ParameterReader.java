@@ -18,6 +18,7 @@ import java.util.stream.IntStream;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads the parameters of an experiment from their layers. Later layers override earlier ones: the defaults, the
@@ -234,7 +235,7 @@ public final class ParameterReader {
         return !name.isEmpty() && Files.isRegularFile(beside, LinkOption.NOFOLLOW_LINKS) ? beside.toString() : name;
     }
 
-    private Map<String, String> preset(String task, String method) {
+    private Map<String, String> preset(String task, @Nullable String method) {
         Parameter methods = catalogue.require("method");
         String chosen = methods.check(method == null ? methods.defaultValue() : method);
         return TaskVersion.labelled(task)

@@ -8,6 +8,7 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import mmneat.experiment.PlainText;
@@ -84,7 +85,7 @@ public final class Parameters {
     /** The value as text, in canonical form ({@link Parameter#check}). */
     public String text(String name) {
         catalogue.require(name);
-        return values.get(name);
+        return Objects.requireNonNull(values.get(name), name);
     }
 
     /** The value of a parameter that is a whole number. */

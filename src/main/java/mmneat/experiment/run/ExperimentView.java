@@ -77,8 +77,10 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
             }
         }
         List<ExperimentView> experiments = new ArrayList<>();
-        byExperiment.forEach((key, runs) ->
-                experiments.add(new ExperimentView(names.get(key), bases.get(key), List.copyOf(runs.values()))));
+        byExperiment.forEach((key, runs) -> experiments.add(new ExperimentView(
+                Objects.requireNonNull(names.get(key)),
+                Objects.requireNonNull(bases.get(key)),
+                List.copyOf(runs.values()))));
         return experiments;
     }
 
@@ -114,8 +116,7 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
     /** Median of the champions' scores; NaN if there is none. */
     public double medianChampion() {
         double[] scores = runs.stream()
-                .filter(run -> run.status() != null)
-                .mapToDouble(run -> run.status().best())
+                .mapToDouble(RunView::bestScore)
                 .filter(score -> !Double.isNaN(score))
                 .sorted()
                 .toArray();
@@ -125,9 +126,8 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
     /** The run with the best champion so far, if there is one. */
     public Optional<RunView> best() {
         return runs.stream()
-                .filter(run ->
-                        run.status() != null && !Double.isNaN(run.status().best()))
-                .max(Comparator.comparingDouble(run -> run.status().best()));
+                .filter(run -> !Double.isNaN(run.bestScore()))
+                .max(Comparator.comparingDouble(RunView::bestScore));
     }
 
     /**

@@ -2,6 +2,7 @@ package mmneat.experiment.run;
 
 import java.time.Duration;
 import java.util.function.LongSupplier;
+import org.jspecify.annotations.Nullable;
 
 /** The progress of one run. The run's thread writes it; any thread can read it. */
 public final class RunMonitor {
@@ -52,7 +53,7 @@ public final class RunMonitor {
             double median,
             double stepsPerSecond,
             double portion,
-            Duration timeLeft) {}
+            @Nullable Duration timeLeft) {}
 
     private final RunPlan run;
     private final LongSupplier nanoTime;

@@ -1,6 +1,7 @@
 package mmneat.experiment.run;
 
 import mmneat.experiment.store.RunStatus;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The result of executing a run: how it ended and why.
@@ -14,7 +15,12 @@ import mmneat.experiment.store.RunStatus;
  *     was no problem
  * @param failure the exception; null if the run did not fail or if the message is sufficient
  */
-public record RunOutcome(RunPlan run, RunMonitor.Phase phase, RunStatus status, String message, Throwable failure) {
+public record RunOutcome(
+        RunPlan run,
+        RunMonitor.Phase phase,
+        @Nullable RunStatus status,
+        @Nullable String message,
+        @Nullable Throwable failure) {
 
     /** Whether the run is complete. */
     public boolean isComplete() {

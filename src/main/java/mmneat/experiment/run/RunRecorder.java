@@ -17,6 +17,7 @@ import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunStatus;
 import mmneat.neat.io.GenotypeJson;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The observer that writes the files of a run. It holds a generation's files in memory until the next checkpoint is
@@ -38,7 +39,7 @@ final class RunRecorder implements EvolutionObserver {
     private int completedHere;
 
     /** The state after the last complete generation; null before the first of this process. */
-    private EvolutionState latest;
+    private @Nullable EvolutionState latest;
 
     private RunStatus status;
 

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.channels.ClosedByInterruptException;
 import java.util.EnumMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -36,6 +37,7 @@ import mmneat.experiment.store.RunParametersFile;
 import mmneat.experiment.store.RunStatus;
 import mmneat.experiment.store.SymbolicLinks;
 import mmneat.neat.BadPartException;
+import org.jspecify.annotations.Nullable;
 
 /** Executes one run on the calling thread, from its start or its checkpoint to its end. */
 final class RunWorker {
@@ -116,7 +118,7 @@ final class RunWorker {
     /** Maps the exception that ended a run to its outcome. */
     private RunOutcome outcomeOf(Throwable e) {
         if (e instanceof RunRecorder.RunStoppedException || e instanceof UncheckedIOException) {
-            return outcomeOf(e.getCause());
+            return outcomeOf(Objects.requireNonNull(e.getCause()));
         }
         if (e instanceof RunLock.HeldException) {
             return new RunOutcome(run, RunMonitor.Phase.IN_USE, null, e.getMessage(), null);
@@ -262,7 +264,7 @@ final class RunWorker {
         new Evolution(settings, state, evaluator, recorder, parents -> recorder.bestScore(parents) >= stopAt).run();
     }
 
-    private RunOutcome failed(String message, Throwable failure) {
+    private RunOutcome failed(@Nullable String message, @Nullable Throwable failure) {
         return new RunOutcome(run, RunMonitor.Phase.FAILED, null, message, failure);
     }
 
@@ -284,7 +286,7 @@ final class RunWorker {
         }
     }
 
-    private static Throwable withSuppressed(Throwable failure, Exception second) {
+    private static @Nullable Throwable withSuppressed(@Nullable Throwable failure, Exception second) {
         if (failure != null) {
             failure.addSuppressed(second);
         }

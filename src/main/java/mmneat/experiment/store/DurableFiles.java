@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Collection;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -28,13 +29,13 @@ public final class DurableFiles {
     public static void makeFolder(Path folder) throws IOException {
         if (!Files.isDirectory(folder)) {
             Files.createDirectories(folder);
-            sync(folder.toAbsolutePath().getParent());
+            sync(folderOf(folder));
         }
     }
 
     /** Writes a file, replacing it if it exists; its folder is made if it does not exist. */
     public static void write(Path file, byte[] content) throws IOException {
-        makeFolder(file.toAbsolutePath().getParent());
+        makeFolder(folderOf(file));
         Path unfinished = writeUnfinished(file, content, true);
         rename(unfinished, file);
     }
@@ -58,7 +59,7 @@ public final class DurableFiles {
      * empty, unless {@link #sync} was called.
      */
     static void replace(Path file, byte[] content) throws IOException {
-        makeFolder(file.toAbsolutePath().getParent());
+        makeFolder(folderOf(file));
         Path unfinished = writeUnfinished(file, content, false);
         Files.move(unfinished, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     }
@@ -70,7 +71,7 @@ public final class DurableFiles {
             try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS)) {
                 channel.force(true);
             }
-            folders.add(file.toAbsolutePath().getParent());
+            folders.add(folderOf(file));
         }
         for (Path folder : folders) {
             sync(folder);
@@ -80,12 +81,12 @@ public final class DurableFiles {
     /** Renames a file and syncs its folder. */
     static void rename(Path from, Path to) throws IOException {
         Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        sync(to.toAbsolutePath().getParent());
+        sync(folderOf(to));
     }
 
     /** Truncates a file to the length and appends to it, without syncing. */
     static void appendAt(Path file, long length, byte[] content) throws IOException {
-        makeFolder(file.toAbsolutePath().getParent());
+        makeFolder(folderOf(file));
         try (FileChannel channel = FileChannel.open(
                 file, StandardOpenOption.WRITE, StandardOpenOption.CREATE, LinkOption.NOFOLLOW_LINKS)) {
             channel.truncate(length);
@@ -122,6 +123,10 @@ public final class DurableFiles {
     }
 
     /** Syncs a folder, and with it the renames in it. Windows cannot open folders and syncs renames by itself. */
+    private static Path folderOf(Path file) {
+        return Objects.requireNonNull(file.toAbsolutePath().getParent(), "the root of a file system");
+    }
+
     private static void sync(Path folder) throws IOException {
         if (File.separatorChar == '/') {
             try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {

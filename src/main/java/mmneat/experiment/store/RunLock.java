@@ -15,11 +15,13 @@ import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import mmneat.evolution.DaemonThreads;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The lock of a run's folder, which allows one process at a time to work in it. Take it with {@link #acquire} and
@@ -95,7 +97,7 @@ public final class RunLock implements AutoCloseable {
     private final ScheduledExecutorService heart;
 
     /** The failure of the last touch that failed; null if none failed. */
-    private volatile IOException touchFailure;
+    private volatile @Nullable IOException touchFailure;
 
     private RunLock(Path file, LockHolder self, Timing timing) {
         this.file = file;
@@ -140,7 +142,7 @@ public final class RunLock implements AutoCloseable {
      * @throws HeldException if it was
      */
     public void requireHeld() throws IOException, HeldException {
-        Optional<Sighting> sighting = look(file.getParent());
+        Optional<Sighting> sighting = look(Objects.requireNonNull(file.getParent()));
         boolean held =
                 sighting.flatMap(Sighting::holder).filter(self::equalsToken).isPresent();
         if (!held) {

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Optional;
 import mmneat.experiment.PlainText;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The progress of a run, written to {@code status.json} for other programs. Nothing is resumed from it.
@@ -34,7 +35,7 @@ public record RunStatus(
         double median,
         double stepsPerSecond,
         double secondsPerGeneration,
-        String message) {
+        @Nullable String message) {
 
     /**
      * The state of a run as the run itself last wrote it. A run whose process was killed still says {@link #RUNNING};
@@ -88,7 +89,7 @@ public record RunStatus(
      * @param wanted number of requested generations
      * @param why the message, one line
      */
-    public RunStatus failed(int wanted, String why) {
+    public RunStatus failed(int wanted, @Nullable String why) {
         return new RunStatus(State.FAILED, generation, wanted, best, median, stepsPerSecond, secondsPerGeneration, why);
     }
 

@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.util.Map;
 import java.util.Optional;
 import mmneat.experiment.PlainText;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The state of a run, read from its files, whether or not a process works on it.
@@ -25,9 +26,9 @@ public record RunView(
         String experiment,
         int number,
         State state,
-        RunStatus status,
-        Instant signOfLife,
-        Instant estimatedEnd) {
+        @Nullable RunStatus status,
+        @Nullable Instant signOfLife,
+        @Nullable Instant estimatedEnd) {
 
     /**
      * The state of a run as a reader of its folder sees it: the state in {@link RunStatus}, corrected by the lock,
@@ -80,6 +81,11 @@ public record RunView(
                 status.orElse(null),
                 lock.map(RunLock.Sighting::signOfLife).orElse(null),
                 end);
+    }
+
+    /** Score of the champion of the last complete generation; NaN before the first. */
+    public double bestScore() {
+        return status == null ? Double.NaN : status.best();
     }
 
     private static State restingState(RunStatus status) {

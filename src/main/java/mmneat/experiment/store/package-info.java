@@ -7,4 +7,7 @@
  * wrote to its folder. {@link mmneat.experiment.store.RunView.State} is what a reader of the folder concludes from that
  * and from the lock. {@link mmneat.experiment.run.RunMonitor.Phase} is what the executing program knows, without files.
  */
+@NullMarked
 package mmneat.experiment.store;
+
+import org.jspecify.annotations.NullMarked;

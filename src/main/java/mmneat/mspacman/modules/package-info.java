@@ -3,4 +3,7 @@
  * mmneat.mspacman.modules.ModuleDivision}. MT, MT2 and MT3 are the multitask methods of the paper, with two, two and
  * three modules; {@link mmneat.neat} lists all methods.
  */
+@NullMarked
 package mmneat.mspacman.modules;
+
+import org.jspecify.annotations.NullMarked;

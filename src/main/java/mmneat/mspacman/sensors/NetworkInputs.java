@@ -3,6 +3,7 @@ package mmneat.mspacman.sensors;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import mmneat.neat.network.Tanh;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
 import pacman.maze.MazeTables;
 
@@ -33,7 +34,7 @@ public final class NetworkInputs {
     /** Those of them that are sensed one by one: all, unless {@link #standard} writes the others. */
     private final int[] single;
 
-    private final StandardInputs standard;
+    private final @Nullable StandardInputs standard;
 
     /** Hyperbolic tangents of each graded sensor's values; null for other sensors. */
     private final double[][] tangents;
@@ -47,7 +48,9 @@ public final class NetworkInputs {
     /** What {@link #common} was sensed for last. */
     private long commonState = UNKNOWN;
 
-    private MazeTables knownMaze;
+    private @Nullable MazeTables knownMaze;
+
+    @SuppressWarnings("NullAway.Init")
     private SensorTables tables;
 
     NetworkInputs(SensorSuite suite) {

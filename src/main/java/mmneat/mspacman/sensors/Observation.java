@@ -29,9 +29,16 @@ public final class Observation {
     /** Distance less one, in a key for sorting, of what is at no distance. */
     private static final int FARTHEST = (1 << 28) - 1;
 
+    @SuppressWarnings("NullAway.Init")
     private Game game;
+
+    @SuppressWarnings("NullAway.Init")
     private SensorTables tables;
+
+    @SuppressWarnings("NullAway.Init")
     private MazePaths paths;
+
+    @SuppressWarnings("NullAway.Init")
     private Routes routes;
 
     // The state.

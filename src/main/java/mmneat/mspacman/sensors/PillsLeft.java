@@ -14,7 +14,9 @@ final class PillsLeft {
 
     private static final long UNKNOWN = -1;
 
+    @SuppressWarnings("NullAway.Init")
     private PillTables tables;
+
     private long[] bits = new long[0];
     private int count;
 

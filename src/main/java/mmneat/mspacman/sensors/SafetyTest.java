@@ -25,7 +25,11 @@ final class SafetyTest {
     private static final int MEETING_DISTANCE = 2;
 
     private final Observation observation;
+
+    @SuppressWarnings("NullAway.Init")
     private SensorTables tables;
+
+    @SuppressWarnings("NullAway.Init")
     private MazePaths paths;
 
     /** Ms. Pac-Man's route, its row, and the steps to the next junction. */

@@ -9,4 +9,7 @@
  *
  * <p>Source: docs/specification/mspacman-task.md, section 4; docs/sensors.md.
  */
+@NullMarked
 package mmneat.mspacman.sensors;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -31,6 +32,7 @@ public final class AggressiveGhosts extends ForgetfulGhostTeam {
     }
 
     @Override
+    @Nullable
     MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
         return random.nextFloat() < consistency ? towardsPacMan(game, ghost, DM.PATH) : randomMove(random);
     }

@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -14,6 +15,7 @@ import pacman.game.Game;
 public class BetterLegacy extends Legacy {
 
     @Override
+    @Nullable
     MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
         return switch (ghost) {
             case BLINKY -> exactlyTowardsPacMan(game, ghost, DM.PATH);
@@ -23,7 +25,7 @@ public class BetterLegacy extends Legacy {
         };
     }
 
-    private static MOVE exactlyTowardsPacMan(Game game, GHOST ghost, DM measure) {
+    private static @Nullable MOVE exactlyTowardsPacMan(Game game, GHOST ghost, DM measure) {
         return game.getNextMoveTowardsTarget(
                 game.getGhostCurrentNodeIndex(ghost),
                 game.getPacmanCurrentNodeIndex(),

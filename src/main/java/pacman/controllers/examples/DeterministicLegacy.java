@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -13,6 +14,7 @@ import pacman.game.Game;
 public class DeterministicLegacy extends Legacy {
 
     @Override
+    @Nullable
     MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
         return ghost == GHOST.SUE ? towardsPacMan(game, ghost, DM.PATH) : super.choose(game, ghost, random);
     }

@@ -2,6 +2,7 @@ package pacman.controllers.examples;
 
 import java.util.EnumMap;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.ReadOnlyController;
 import pacman.game.Constants.DM;
@@ -21,7 +22,7 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
     private EnumMap<GHOST, MOVE> moves = new EnumMap<>(GHOST.class);
 
     /** Returns the move of a ghost that requires an action. */
-    abstract MOVE choose(Game game, GHOST ghost, ResumableRandom random);
+    abstract @Nullable MOVE choose(Game game, GHOST ghost, ResumableRandom random);
 
     /** Returns the order in which the ghosts choose, which is the order of their random draws. */
     GHOST[] order() {
@@ -63,7 +64,7 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
     }
 
     /** The direction, without reversing, whose next node is nearest to Ms. Pac-Man; the rest of the way may reverse. */
-    static MOVE towardsPacMan(Game game, GHOST ghost, DM measure) {
+    static @Nullable MOVE towardsPacMan(Game game, GHOST ghost, DM measure) {
         return game.getApproximateNextMoveTowardsTarget(
                 game.getGhostCurrentNodeIndex(ghost),
                 game.getPacmanCurrentNodeIndex(),
@@ -72,7 +73,7 @@ abstract class GhostTeam extends NewGhostController implements ReadOnlyControlle
     }
 
     /** The direction, without reversing, whose next node is farthest from Ms. Pac-Man by shortest path. */
-    static MOVE awayFromPacMan(Game game, GHOST ghost) {
+    static @Nullable MOVE awayFromPacMan(Game game, GHOST ghost) {
         return game.getApproximateNextMoveAwayFromTarget(
                 game.getGhostCurrentNodeIndex(ghost),
                 game.getPacmanCurrentNodeIndex(),

@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -23,6 +24,7 @@ public class Legacy extends ForgetfulGhostTeam {
     }
 
     @Override
+    @Nullable
     MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
         return switch (ghost) {
             case BLINKY -> towardsPacMan(game, ghost, DM.PATH);

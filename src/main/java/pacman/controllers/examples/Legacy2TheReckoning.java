@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -27,6 +28,7 @@ public class Legacy2TheReckoning extends GhostTeam {
     private static final int PAIRS = 6;
 
     @Override
+    @Nullable
     MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
         if (areCrowded(game) && !isNearPacMan(game, ghost) && game.getNumberOfPowerPills() > 0) {
             return towardsItsCorner(game, ghost);
@@ -55,7 +57,7 @@ public class Legacy2TheReckoning extends GhostTeam {
     }
 
     /** Returns the direction to the node of the power pill in the ghost's corner, even if that pill has been eaten. */
-    private static MOVE towardsItsCorner(Game game, GHOST ghost) {
+    private static @Nullable MOVE towardsItsCorner(Game game, GHOST ghost) {
         int corner =
                 switch (ghost) {
                     case BLINKY -> 0;

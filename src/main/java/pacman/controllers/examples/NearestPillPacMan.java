@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.controllers.ReadOnlyController;
 import pacman.game.Constants.MOVE;
@@ -13,12 +14,12 @@ import pacman.game.Game;
 public class NearestPillPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
 
     @Override
-    public MOVE getMove(Game game, long timeDue) {
+    public @Nullable MOVE getMove(Game game, long timeDue) {
         return decide(game, game.rnd);
     }
 
     @Override
-    public MOVE decide(Game game, ResumableRandom random) {
+    public @Nullable MOVE decide(Game game, ResumableRandom random) {
         return NearestPill.moveTowards(game);
     }
 }

@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import java.awt.Color;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -14,7 +15,7 @@ import pacman.game.GameView;
 public final class NearestPillPacManVS extends Controller<MOVE> {
 
     @Override
-    public MOVE getMove(Game game, long timeDue) {
+    public @Nullable MOVE getMove(Game game, long timeDue) {
         int[] powerPills = game.getActivePowerPillsIndices();
         if (game.getGhostLairTime(GHOST.BLINKY) == 0 && powerPills.length > 0) {
             int blinky = game.getGhostCurrentNodeIndex(GHOST.BLINKY);

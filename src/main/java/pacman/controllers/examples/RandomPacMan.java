@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.controllers.ReadOnlyController;
 import pacman.game.Constants.MOVE;
@@ -13,7 +14,7 @@ import pacman.game.Game;
 public final class RandomPacMan extends Controller<MOVE> implements ReadOnlyController<MOVE> {
 
     @Override
-    public MOVE getMove(Game game, long timeDue) {
+    public @Nullable MOVE getMove(Game game, long timeDue) {
         return decide(game, game.rnd);
     }
 

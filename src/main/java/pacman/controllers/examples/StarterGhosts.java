@@ -1,6 +1,8 @@
 package pacman.controllers.examples;
 
+import java.util.Objects;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.DM;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
@@ -19,6 +21,7 @@ public final class StarterGhosts extends GhostTeam {
     private static final int POWER_PILL_RADIUS = 15;
 
     @Override
+    @Nullable
     MOVE choose(Game game, GHOST ghost, ResumableRandom random) {
         if (game.getGhostEdibleTime(ghost) > 0 || isPacManNearPowerPill(game, POWER_PILL_RADIUS)) {
             return awayFromPacMan(game, ghost);
@@ -26,7 +29,8 @@ public final class StarterGhosts extends GhostTeam {
         if (random.nextFloat() < ATTACK_PROBABILITY) {
             return towardsPacMan(game, ghost, DM.PATH);
         }
-        MOVE[] possible = game.getPossibleMoves(game.getGhostCurrentNodeIndex(ghost), game.getGhostLastMoveMade(ghost));
+        MOVE[] possible = Objects.requireNonNull(
+                game.getPossibleMoves(game.getGhostCurrentNodeIndex(ghost), game.getGhostLastMoveMade(ghost)));
         return possible[random.nextInt(possible.length)];
     }
 

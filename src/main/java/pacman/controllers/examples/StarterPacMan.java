@@ -1,6 +1,7 @@
 package pacman.controllers.examples;
 
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.NewPacManController;
 import pacman.controllers.ReadOnlyController;
 import pacman.game.Constants.DM;
@@ -21,12 +22,12 @@ public class StarterPacMan extends NewPacManController implements ReadOnlyContro
     private static final GHOST[] GHOSTS = GHOST.values();
 
     @Override
-    public MOVE getMove(Game game, long timeDue) {
+    public @Nullable MOVE getMove(Game game, long timeDue) {
         return decide(game, game.rnd);
     }
 
     @Override
-    public MOVE decide(Game game, ResumableRandom random) {
+    public @Nullable MOVE decide(Game game, ResumableRandom random) {
         int position = game.getPacmanCurrentNodeIndex();
         for (GHOST ghost : GHOSTS) {
             if (game.getGhostEdibleTime(ghost) == 0 && game.getGhostLairTime(ghost) == 0) {

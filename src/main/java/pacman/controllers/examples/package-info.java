@@ -4,4 +4,7 @@
  *
  * <p>Source: docs/specification/controllers.md, section 5.
  */
+@NullMarked
 package pacman.controllers.examples;
+
+import org.jspecify.annotations.NullMarked;

@@ -7,4 +7,7 @@
  *
  * <p>Source: docs/specification/simulator.md, section 1.4.
  */
+@NullMarked
 package pacman.game.internal;
+
+import org.jspecify.annotations.NullMarked;
