@@ -69,8 +69,8 @@ public final class Network {
     final int[] slotOfOutput;
     /** Slot of each module's preference neuron; empty if modules have none. */
     final int[] slotOfPreference;
-    /** Whether there are preference neurons and what later steps need includes all of them. */
-    final boolean preferencesAlways;
+    /** Whether sums can tell which module is preferred: of several, tanh, and not all needed by later steps. */
+    final boolean prefersBySums;
     /** Number of slots; the neurons are [inputs, slots). */
     final int slots;
     /** Neurons from this slot on are lazy. */
@@ -126,8 +126,9 @@ public final class Network {
         System.arraycopy(slotOfNode, genotype.firstOutput(), slotOfOutput, 0, slotOfOutput.length);
         slotOfPreference = new int[layout.hasPreferenceNeurons() ? layout.modules() : 0];
         Arrays.setAll(slotOfPreference, module -> slotOfOutput[layout.preferenceOutput(module)]);
-        preferencesAlways =
-                slotOfPreference.length > 0 && Arrays.stream(slotOfPreference).allMatch(this::isAlwaysComputed);
+        prefersBySums = functions == null
+                && slotOfPreference.length > 1
+                && !Arrays.stream(slotOfPreference).allMatch(this::isAlwaysComputed);
     }
 
     /**

@@ -41,6 +41,9 @@ public final class NetworkState {
     /** How modules are chosen if not by plain preference, else null. */
     private final @Nullable ModuleArbiter arbiter;
 
+    /** Whether sums of preference neurons mostly tell the preferred module. */
+    private final boolean prefersBySums;
+
     private int presetModule;
     private int lastModule;
     /** Whether no step has been made since everything was set to 0. */
@@ -54,6 +57,7 @@ public final class NetworkState {
         preferences = new double[network.modules()];
         ModuleArbitration complete = arbitration.of(network.layout);
         arbiter = complete.isPlain() ? null : new ModuleArbiter(network.layout, complete);
+        prefersBySums = arbiter == null && network.prefersBySums;
     }
 
     /** The network that this is a state of. */
@@ -81,8 +85,7 @@ public final class NetworkState {
             // The pending sum of an input is 0; adding it turns -0 into 0.
             activations[i] = function(i, 0.0 + inputs[i]);
         }
-        computeExactly(Network.SHARED);
-        return chooseModule(random);
+        return finish(random);
     }
 
     /**
@@ -97,8 +100,7 @@ public final class NetworkState {
      */
     public int activateFrom(double[] inputActivations, int offset, ResumableRandom random) {
         begin(inputActivations, offset);
-        computeExactly(Network.SHARED);
-        return chooseModule(random);
+        return finish(random);
     }
 
     /**
@@ -260,39 +262,65 @@ public final class NetworkState {
                 "the network has " + network.inputs + " inputs, got " + values + " values to be read from " + offset);
     }
 
-    /** Second part of a step: the exact activations of a group, and of those that it depends on. */
+    /** Computes the exact activations of a group, and of those that it depends on. */
     void computeExactly(int group) {
         if (computed[group] != now + EXACTLY) {
             if (group != Network.ALWAYS) {
                 computeExactly(group == Network.SHARED ? Network.ALWAYS : Network.SHARED);
             }
-            propagate(group, true);
+            propagate(group);
             computed[group] = now + EXACTLY;
         }
     }
 
-    /** The same roughly, where the group is not computed yet. */
-    void computeRoughly(int group) {
-        if (computed[group] < now) {
+    /** Computes a group roughly for this state and another, unless both have it already. */
+    private void computeRoughly(NetworkState other, int group) {
+        if (computed[group] < now || other.computed[group] < other.now) {
             if (group > Network.SHARED) {
-                computeRoughly(Network.SHARED);
+                computeRoughly(other, Network.SHARED);
             }
-            propagate(group, false);
+            Propagation.roughly(
+                    network, activations, other.activations, network.groupStart[group], network.groupStart[group + 1]);
             computed[group] = now + ROUGHLY;
+            other.computed[group] = other.now + ROUGHLY;
         }
     }
 
-    /** Takes note that what is always needed was computed from outside. */
-    void computedAlways() {
-        computed[Network.ALWAYS] = now + EXACTLY;
+    /**
+     * Second part of a step: computes what later steps need, and preferences as far as sums tell them.
+     *
+     * @param other a state that makes the same part of its step side by side; this one if there is none
+     */
+    void computeWith(NetworkState other) {
+        if (other == this || network.functions != null) {
+            computeExactly(Network.ALWAYS);
+            other.computeExactly(Network.ALWAYS);
+        } else {
+            Propagation.exactly(
+                    network, activations, other.activations, network.inputs, network.groupStart[Network.ALWAYS + 1]);
+            computed[Network.ALWAYS] = now + EXACTLY;
+            other.computed[Network.ALWAYS] = other.now + EXACTLY;
+        }
+        if (prefersBySums) {
+            computeRoughly(other, Network.SHARED);
+            for (int module = 0; module < preferences.length; module++) {
+                int slot = network.slotOfPreference[module];
+                Propagation.sums(
+                        network, activations, other.activations, slot, preferences, module, other.preferences, module);
+            }
+        }
     }
 
-    private void propagate(int group, boolean exactly) {
+    private int finish(ResumableRandom random) {
+        computeExactly(Network.SHARED);
+        computeWith(this);
+        return chooseModule(random);
+    }
+
+    private void propagate(int group) {
         int from = network.groupStart[group];
         int to = network.groupStart[group + 1];
-        if (!exactly) {
-            Propagation.roughly(network, activations, from, to);
-        } else if (network.functions == null) {
+        if (network.functions == null) {
             Propagation.exactly(network, activations, from, to);
         } else {
             for (int slot = from; slot < to; slot++) {
@@ -332,7 +360,7 @@ public final class NetworkState {
             random.nextInt(1);
             return network.layout.standardMultitask() ? presetModule : 0;
         }
-        int clear = clearlyPreferredModule();
+        int clear = prefersBySums ? clearlyHighest(preferences, preferences.length, network.margin) : UNCLEAR;
         if (clear != UNCLEAR) {
             random.nextInt(1);
             return clear;
@@ -343,26 +371,16 @@ public final class NetworkState {
         return Argmax.of(preferences, random);
     }
 
-    /** The preferred module as far as sums tell it; unclear too where activations are there already. */
-    private int clearlyPreferredModule() {
-        if (network.functions != null || network.preferencesAlways) {
-            return UNCLEAR;
-        }
-        computeRoughly(Network.SHARED);
-        for (int module = 0; module < preferences.length; module++) {
-            preferences[module] = sum(network.slotOfPreference[module]);
-        }
-        return clearlyHighest(preferences, preferences.length, network.margin);
-    }
-
     /**
-     * The sum of a policy neuron of the chosen module, up to the network's margin; modules are chosen and answer
-     * plainly.
+     * Computes the sums of a policy neuron of the chosen module, up to the network's margin, for this state and another
+     * that chose the same module. Modules are chosen and answer plainly.
+     *
+     * @param sums receives this state's sum at {@code i} and the other's at {@code j}
      */
-    double roughAnswerSum(int neuron) {
+    void sumAnswersRoughly(NetworkState other, int neuron, double[] sums, int i, int j) {
         int output = network.layout.policyOutput(lastModule, neuron);
-        computeRoughly(network.groupOfOutput[output]);
-        return sum(network.slotOfOutput[output]);
+        computeRoughly(other, network.groupOfOutput[output]);
+        Propagation.sums(network, activations, other.activations, network.slotOfOutput[output], sums, i, sums, j);
     }
 
     /** Whether a policy neuron of the chosen module is always needed, so that its answer is there already. */

@@ -103,11 +103,10 @@ public final class NetworkStates {
     }
 
     private void finish(int count, ResumableRandom random) {
-        if (network.functions == null) {
-            propagateTogether(count);
-        }
         for (int i = 0; i < count; i++) {
-            active[i].computeExactly(Network.ALWAYS);
+            if (i % 2 == 0) {
+                active[i].computeWith(active[Math.min(i + 1, count - 1)]);
+            }
             active[i].chooseModule(random);
         }
     }
@@ -164,8 +163,9 @@ public final class NetworkStates {
     }
 
     private int clearlyHighestSum(int count, int neuron) {
-        for (int i = 0; i < count; i++) {
-            answers[i] = active[i].roughAnswerSum(neuron);
+        for (int i = 0, last; i < count; i = last + 1) {
+            last = i + 1 < count && active[i + 1].lastModule() == active[i].lastModule() ? i + 1 : i;
+            active[i].sumAnswersRoughly(active[last], neuron, answers, i, last);
         }
         return NetworkState.clearlyHighest(answers, count, network.margin);
     }
@@ -200,23 +200,6 @@ public final class NetworkStates {
     public void reset() {
         for (NetworkState state : states) {
             state.reset();
-        }
-    }
-
-    /** Computes what is always needed for states two or three at a time; one that is left over is left alone. */
-    private void propagateTogether(int count) {
-        int from = network.groupStart[Network.ALWAYS];
-        int to = network.groupStart[Network.ALWAYS + 1];
-        int done = 0;
-        if (count == 3) {
-            Propagation.exactly(network, active[0].activations, active[1].activations, active[2].activations, from, to);
-            done = 3;
-        }
-        for (; done + 1 < count; done += 2) {
-            Propagation.exactly(network, active[done].activations, active[done + 1].activations, from, to);
-        }
-        for (int i = 0; i < done; i++) {
-            active[i].computedAlways();
         }
     }
 }

@@ -1,7 +1,7 @@
 package mmneat.neat.network;
 
 /**
- * Computes neurons of one network for one, two or three states side by side: the loops in which a game spends its time.
+ * Computes neurons of one network for one state or two states side by side: the loops in which a game spends its time.
  *
  * <p>A state is given by its activations as {@link NetworkState} keeps them, and slots in an order that has sources
  * before targets.
@@ -16,7 +16,8 @@ final class Propagation {
      * the few arguments for which the fast tangent has to call the library end the loop (after leaving their sums
      * behind), and it is entered again behind them.
      *
-     * The forms for one, two and three states are written out: in a loop over states their sums would not be registers.
+     * The forms for one and two states are written out: in a loop over states their sums would not be registers. A form
+     * for two also serves one state, which then is both.
      */
 
     private Propagation() {}
@@ -45,15 +46,6 @@ final class Propagation {
         for (int slot = from; (slot = whileInTable(network, a, b, slot, to)) < to; slot++) {
             a[slot] = Tanh.of(a[slot]);
             b[slot] = Tanh.of(b[slot]);
-        }
-    }
-
-    /** Computes the same neurons for three states. */
-    static void exactly(Network network, double[] a, double[] b, double[] c, int from, int to) {
-        for (int slot = from; (slot = whileInTable(network, a, b, c, slot, to)) < to; slot++) {
-            a[slot] = Tanh.of(a[slot]);
-            b[slot] = Tanh.of(b[slot]);
-            c[slot] = Tanh.of(c[slot]);
         }
     }
 
@@ -104,7 +96,8 @@ final class Propagation {
         return to;
     }
 
-    private static int whileInTable(Network network, double[] a, double[] b, double[] c, int from, int to) {
+    /** Computes the neurons of slots {@code [from, to)} up to the network's margin; their functions are tanh. */
+    static void roughly(Network network, double[] a, double[] b, int from, int to) {
         int[] start = network.linkStart;
         int[] sources = network.linkSource;
         double[] weights = network.linkWeight;
@@ -112,32 +105,32 @@ final class Propagation {
         for (int slot = from; slot < to; slot++) {
             double sumA = 0;
             double sumB = 0;
-            double sumC = 0;
             int end = start[slot + 1];
             for (; link < end; link++) {
                 int source = sources[link];
                 double weight = weights[link];
                 sumA += a[source] * weight;
                 sumB += b[source] * weight;
-                sumC += c[source] * weight;
             }
-            if (!(Tanh.isInTable(sumA) && Tanh.isInTable(sumB) && Tanh.isInTable(sumC))) {
-                a[slot] = sumA;
-                b[slot] = sumB;
-                c[slot] = sumC;
-                return slot;
-            }
-            a[slot] = Tanh.inTable(sumA);
-            b[slot] = Tanh.inTable(sumB);
-            c[slot] = Tanh.inTable(sumC);
+            a[slot] = RoughTanh.of(sumA);
+            b[slot] = RoughTanh.of(sumB);
         }
-        return to;
     }
 
-    /** Computes the neurons of slots {@code [from, to)} up to the network's margin; their functions are tanh. */
-    static void roughly(Network network, double[] a, int from, int to) {
-        for (int slot = from; slot < to; slot++) {
-            a[slot] = RoughTanh.of(sum(network, a, slot));
+    /** Writes the sums of one slot for two states into elements {@code i} of one array and {@code j} of another. */
+    static void sums(Network network, double[] a, double[] b, int slot, double[] intoA, int i, double[] intoB, int j) {
+        int[] sources = network.linkSource;
+        double[] weights = network.linkWeight;
+        double sumA = 0;
+        double sumB = 0;
+        int end = network.linkStart[slot + 1];
+        for (int link = network.linkStart[slot]; link < end; link++) {
+            int source = sources[link];
+            double weight = weights[link];
+            sumA += a[source] * weight;
+            sumB += b[source] * weight;
         }
+        intoA[i] = sumA;
+        intoB[j] = sumB;
     }
 }
