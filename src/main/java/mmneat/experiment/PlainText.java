@@ -23,7 +23,7 @@ public final class PlainText {
                 .findFirst()
                 .ifPresent(i -> {
                     throw new UserError(String.format(
-                            "%s: must not contain control characters, has U+%04X at place %d: %s",
+                            "%s: must not contain control characters, has U+%04X at position %d: %s",
                             shown(what), (int) text.charAt(i), i + 1, shown(text)));
                 });
     }
