@@ -1,16 +1,16 @@
 package mmneat.mspacman.sensors;
 
 /**
- * A sensor of a distance: steps / 200, and 1 from 200 steps on or if what is looked for does not exist. Range [0, 1].
+ * A sensor of a distance: steps / 200, and 1 from 200 steps on or if the target does not exist. Range [0, 1].
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 4.4 and 4.6.
  */
 interface DistanceSensor extends GradedSensor {
 
-    /** Distance from which on all are the same. */
+    /** Distance in steps from which on the value is 1. */
     int FAR = 200;
 
-    /** Steps, or -1 if what is looked for does not exist. */
+    /** Steps to the target, or -1 if it does not exist. */
     int steps(Observation observation);
 
     @Override

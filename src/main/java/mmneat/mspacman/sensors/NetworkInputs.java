@@ -39,13 +39,13 @@ public final class NetworkInputs {
     /** Hyperbolic tangents of each graded sensor's values; null for other sensors. */
     private final double[][] tangents;
 
-    /** Value of each sensor for the direction that was asked last. */
+    /** Value of each sensor for the direction that was sensed last. */
     private final double[] inputs;
 
     /** Hyperbolic tangent of input i for direction d at index d stride + i. */
     private final double[] activations;
 
-    /** What {@link #common} was sensed for last. */
+    /** The {@link Observation#commonState} for which {@link #common} was sensed last. */
     private long commonState = UNKNOWN;
 
     private @Nullable MazeTables knownMaze;

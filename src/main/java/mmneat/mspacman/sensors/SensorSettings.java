@@ -27,7 +27,7 @@ public record SensorSettings(
         double closePowerPillDistance,
         List<Sensor> own) {
 
-    /** Walks get too many beyond this depth. */
+    /** Maximum length of walks in steps; there are too many longer ones. */
     static final int DEEPEST = 60;
 
     private static final Set<SensorGroup> IMPRISONED = EnumSet.of(

@@ -9,8 +9,8 @@ import java.util.function.IntToDoubleFunction;
 final class StandardInputs {
 
     /*
-     * Asking two dozen sensors one by one costs more than most of them have to do. Here they are written out in the
-     * order of the inputs, with the same tables of tangents; a test holds both forms together.
+     * Calling two dozen sensors one by one costs more than most of their computations. Here they are written out in the
+     * order of the inputs, with the same tables of tangents. A test checks that both forms are equal.
      */
 
     private final boolean nearest;
