@@ -19,14 +19,15 @@ import pacman.maze.Routes;
 public final class Observation {
 
     /*
-     * What depends on the state alone is found once per time step (observe), what depends on the direction once per
-     * direction (face); a sensor then only combines. Nothing is allocated after the first step in a maze.
+     * Values that depend only on the state are computed once per time step (observe), values that depend on the
+     * direction once per direction (face). Sensors only combine them. Nothing is allocated after the first step in a
+     * maze.
      */
 
     /** Number of ghosts. */
     public static final int GHOSTS = 4;
 
-    /** Distance less one, in a key for sorting, of what is at no distance. */
+    /** Distance minus 1, in a sort key, of a ghost that has no distance. */
     private static final int FARTHEST = (1 << 28) - 1;
 
     @SuppressWarnings("NullAway.Init")
@@ -53,7 +54,7 @@ public final class Observation {
     private final PillsLeft pills = new PillsLeft();
     private final PillsLeft powerPills = new PillsLeft();
 
-    // What follows from the state.
+    // Values that are computed from the state.
     private final long[] ghostRoute = new long[GHOSTS];
     private final int[] ghostPlace = new int[GHOSTS];
     private final int[] ghostPathLength = new int[GHOSTS];
@@ -62,7 +63,7 @@ public final class Observation {
 
     private final int[] neighboursPassed = new int[GHOSTS];
 
-    /** Whether each ghost heads for her, as far as its bit is set in {@link #headingKnown}: found on request. */
+    /** Whether each ghost heads for her; valid if its bit is set in {@link #headingKnown}, and computed on request. */
     private final boolean[] heading = new boolean[GHOSTS];
 
     private int headingKnown;
@@ -71,7 +72,7 @@ public final class Observation {
     private int threats;
     private int harmlessSteps;
 
-    // What follows from the direction.
+    // Values that are computed from the direction.
     private int direction;
     private long route;
     private int least;
@@ -164,7 +165,7 @@ public final class Observation {
         ghostRoute[ghost] = lair > 0 ? 0 : routes.continuing(atNode, lastMove);
     }
 
-    /** Finds what follows from the state, once everything is set. */
+    /** Computes the values that depend only on the state; call it when the whole state is set. */
     void conclude() {
         headingKnown = 0;
         highestEdibleTime = 0;
@@ -236,7 +237,7 @@ public final class Observation {
         return tables;
     }
 
-    /** How Ms. Pac-Man leaves her node in the direction that is looked at. */
+    /** Ms. Pac-Man's route in the current direction, as {@link Routes} encodes it. */
     long route() {
         return route;
     }
@@ -246,7 +247,7 @@ public final class Observation {
         return least;
     }
 
-    /** How a ghost outside the lair goes on. */
+    /** The route of a ghost outside the lair, as {@link Routes} encodes it. */
     long ghostRoute(int ghost) {
         return ghostRoute[ghost];
     }

@@ -12,8 +12,8 @@ import pacman.maze.Routes;
 final class SafetyTest {
 
     /*
-     * Targets are the next junction and those beyond it, four at most: the lanes of OnwardJunctions. Each rule is asked
-     * once per ghost, for all targets together.
+     * Targets are the next junction and those beyond it, four at most: the lanes of OnwardJunctions. Each rule is
+     * evaluated once per ghost, for all targets together.
      *
      * Her path to a target is her corridor, the next junction, and an onward path. A ghost on it that is in a corridor
      * has the whole rest of that corridor on it, too. So the ghost's own path to the target stays on hers if and only
