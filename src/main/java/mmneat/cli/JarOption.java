@@ -12,8 +12,8 @@ final class JarOption {
             names = "jar",
             paramLabel = "FILE",
             description =
-                    "Jar with the classes of your own that the run was evolved with (docs/extend.md). The folder of"
-                            + " a run never brings code along by itself.")
+                    "Jar with your own classes that the run was evolved with (docs/extend.md). Without it, no code that"
+                            + " the folder of a run names is loaded.")
     private Path jar;
 
     /** Returns the champion, with this jar for the classes of its run. */

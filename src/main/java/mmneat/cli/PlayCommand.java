@@ -61,8 +61,8 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             defaultValue = "StarterPacMan",
             description = "Controller of Ms. Pac-Man: a class, with arguments if its constructor has any, as in"
                     + " 'my.Entry(Legacy,3)'; the folder of a run or a file with an evolved network"
-                    + " (champion.json); champion:blended, champion:interleaved or champion:isolated for a network that"
-                    + " comes with the program; or " + HUMAN + " with view=true (default: ${DEFAULT-VALUE}).")
+                    + " (champion.json); champion:NAME, such as champion:blended, for a network that comes with the"
+                    + " program; or " + HUMAN + " with view=true (default: ${DEFAULT-VALUE}).")
     private String pacMan;
 
     @Option(
@@ -82,7 +82,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
     @Option(
             names = "classpath",
             paramLabel = "PATH",
-            description = "Jars and class folders of outside controllers of both sides, separated by"
+            description = "Jars and class folders with controllers of your own, for both sides, separated by"
                     + " ${sys:path.separator}")
     private String classPath;
 
@@ -98,7 +98,11 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             description = "As classpath=, for the ghosts' controller only; its class must be found there.")
     private String ghostsClassPath;
 
-    @Option(names = "games", paramLabel = "N", defaultValue = "1", description = "Games (default: ${DEFAULT-VALUE}).")
+    @Option(
+            names = "games",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Number of games (default: ${DEFAULT-VALUE}).")
     @Range(min = 1)
     private int games;
 
@@ -135,8 +139,8 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             defaultValue = "stop",
             description =
                     "Reaction to a controller's failure (exception, endless recursion, out of memory, call to exit, move"
-                            + " limit), one of ${COMPLETION-CANDIDATES}. stop: reports the games before and exits with 2. skip: leaves the"
-                            + " game out. score0: counts it with score 0 (default: ${DEFAULT-VALUE}).")
+                            + " limit), one of ${COMPLETION-CANDIDATES}. stop: reports the finished games and exits with code 2. skip:"
+                            + " leaves the game out. score0: counts it with score 0 (default: ${DEFAULT-VALUE}).")
     private String onFailure;
 
     @Option(

@@ -33,7 +33,7 @@ import picocli.CommandLine.Parameters;
         customSynopsis =
                 "mmneat submit task=TASK[,TASK...] [method=METHOD[,METHOD...]|all] [runs=N] [engine=...] [name=value...]",
         description = {
-            "Hands the unfinished runs of experiments to a scheduler.",
+            "Submits the unfinished runs of experiments to a scheduler.",
             "",
             "Each run becomes one job. All words that are not options are parameters of the experiments; "
                     + "see params. Lists of tasks and methods make several experiments.",

@@ -77,7 +77,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
     @Option(
             names = "players",
             paramLabel = "NAME,...",
-            description = "Controllers, folders of runs, files with evolved networks, or champion:blended and the like"
+            description = "Controllers, folders of runs, files with evolved networks, or champion:NAME"
                     + " (default: the champion of the version).")
     private String players;
 

@@ -31,7 +31,7 @@ import picocli.CommandLine.Parameters;
         description = {
             "Plays a game with a network and writes it as a web page.",
             "",
-            "The page shows the maze, the module in charge, the sensors and the network at every step. It "
+            "The page shows the maze, the deciding module, the sensors and the network at every step. It "
                     + "is one file that a browser opens from disk. FILE is the folder of a run (its champion) or "
                     + "the file of a network, of this program or of the original.",
             "",
@@ -54,8 +54,8 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
             names = "out",
             paramLabel = "FILE",
             description =
-                    "The page to write, or an animated picture if the name ends in .gif (default: the names of task"
-                            + " and network with .html, in this folder).")
+                    "The page to write, or an animated picture if the name ends in .gif (default: named after task"
+                            + " and network, with .html, in this folder).")
     private Path out;
 
     @Option(

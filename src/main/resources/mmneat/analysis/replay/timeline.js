@@ -1,7 +1,7 @@
 /** Height of the names below the strip, in CSS pixels. */
 const NAMES_HEIGHT = 16;
 
-/* The time line: module in charge, edible ghosts and score over the whole game. Dragging in it moves the position. */
+/* The time line: deciding module, edible ghosts and score over the whole game. Dragging in it moves the position. */
 class Timeline {
   constructor(recording, canvas) {
     this.recording = recording;
