@@ -1,13 +1,16 @@
 package mmneat.evolution;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.function.ToIntFunction;
 import java.util.stream.Stream;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
+import mmneat.neat.OwnPart;
 import mmneat.neat.variation.Offspring;
 import mmneat.neat.variation.Reproduction;
 import mmneat.nsga2.Crowding;
@@ -97,6 +100,8 @@ public final class Evolution {
      *     complete generation
      * @throws BadEvaluationException as {@link Evaluator#evaluate}
      * @throws IllegalStateException if an evaluation fails, or a module is to be added to a multitask network
+     * @throws mmneat.neat.BadPartException if a selection, mutation operator or crossover of the caller's own fails or
+     *     gives something invalid
      */
     public Generation run() {
         List<Individual> parents = evaluateParents();
@@ -151,7 +156,7 @@ public final class Evolution {
             return settings.parentSelection()
                     .children(
                             genotypes,
-                            settings.ownSelection().get().parents(scores),
+                            ownChoice(settings.ownSelection().get(), scores),
                             settings.populationSize(),
                             variation,
                             random);
@@ -174,17 +179,50 @@ public final class Evolution {
         return Arrays.stream(survivors).mapToObj(i -> all.get(i).genotype()).toList();
     }
 
-    private int[] ownSurvivors(Selection selection, double[][] scores, int count) {
-        int[] survivors = selection.survivors(scores, count, random);
-        long different = Arrays.stream(survivors)
-                .filter(i -> i >= 0 && i < scores.length)
-                .distinct()
-                .count();
-        if (survivors.length != count || different != count) {
-            throw new IllegalStateException("the selection must name " + count + " different survivors of "
-                    + scores.length + ", named " + Arrays.toString(survivors));
+    private static ToIntFunction<ResumableRandom> ownChoice(Selection selection, double[][] scores) {
+        OwnPart part = OwnPart.of("selection", selection);
+        ToIntFunction<ResumableRandom> choice = part.call(() -> selection.parents(scores));
+        if (choice == null) {
+            throw part.bad("parents gave null");
         }
+        return random -> {
+            int parent = part.call(() -> choice.applyAsInt(random));
+            if (parent < 0 || parent >= scores.length) {
+                throw part.bad("chose parent " + parent + "; parents are 0 to " + (scores.length - 1));
+            }
+            return parent;
+        };
+    }
+
+    private int[] ownSurvivors(Selection selection, double[][] scores, int count) {
+        OwnPart part = OwnPart.of("selection", selection);
+        int[] survivors = part.call(() -> selection.survivors(scores, count, random));
+        problem(survivors, scores.length, count).ifPresent(problem -> {
+            throw part.bad("the selection must name " + count + " different survivors of " + scores.length + ", 0 to "
+                    + (scores.length - 1) + "; it named " + problem);
+        });
         return survivors;
+    }
+
+    /** What is wrong with the survivors of a selection; empty if nothing is. */
+    private static Optional<String> problem(int[] survivors, int candidates, int count) {
+        if (survivors == null) {
+            return Optional.of("null");
+        }
+        if (survivors.length != count) {
+            return Optional.of(Integer.toString(survivors.length));
+        }
+        BitSet named = new BitSet(candidates);
+        for (int survivor : survivors) {
+            if (survivor < 0 || survivor >= candidates) {
+                return Optional.of("number " + survivor);
+            }
+            if (named.get(survivor)) {
+                return Optional.of("number " + survivor + " twice");
+            }
+            named.set(survivor);
+        }
+        return Optional.empty();
     }
 
     private double[][] selectionScores(List<Individual> individuals) {

@@ -3,6 +3,7 @@ package mmneat.mspacman;
 import java.util.EnumMap;
 import java.util.Objects;
 import java.util.function.Supplier;
+import mmneat.neat.OwnPart;
 import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.controllers.NewGhostController;
@@ -12,12 +13,13 @@ import pacman.game.Game;
 
 /**
  * A ghost team of the user's own, for example an entry of a contest. A new team is created for each game, so that a
- * game does not depend on earlier games.
+ * game does not depend on earlier games. What a team throws becomes a {@link mmneat.neat.BadPartException}.
  */
 public final class OwnGhostTeam extends NewGhostController {
 
     private final Supplier<? extends Controller<EnumMap<GHOST, MOVE>>> teams;
     private Controller<EnumMap<GHOST, MOVE>> team;
+    private OwnPart part;
 
     /** @param teams makes the team of a game */
     public OwnGhostTeam(Supplier<? extends Controller<EnumMap<GHOST, MOVE>>> teams) {
@@ -28,13 +30,17 @@ public final class OwnGhostTeam extends NewGhostController {
     @Override
     public void reset() {
         team = teams.get();
+        part = OwnPart.of("ghost team", team);
         if (team instanceof NewGhostController resettable) {
-            resettable.reset();
+            part.call(() -> {
+                resettable.reset();
+                return resettable;
+            });
         }
     }
 
     @Override
     public @Nullable EnumMap<GHOST, MOVE> getMove(Game game, long timeDue) {
-        return team.getMove(game, timeDue);
+        return part.call(() -> team.getMove(game, timeDue));
     }
 }

@@ -87,6 +87,16 @@ public final class GenotypeDraft {
         return Genotype.unchecked(id, inputs, layout(), nodes, links, moduleUsage);
     }
 
+    /**
+     * The finished genotype, its genes checked: for operators that may leave the draft invalid.
+     *
+     * @throws IllegalArgumentException if the genes do not form a network; the message says where
+     * @throws NullPointerException if a gene is missing
+     */
+    public Genotype checked() {
+        return new Genotype(id, inputs, layout(), nodes, links, moduleUsage);
+    }
+
     public long id() {
         return id;
     }

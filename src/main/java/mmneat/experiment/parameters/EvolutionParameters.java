@@ -145,8 +145,8 @@ public record EvolutionParameters(
                     + ": must be the name of a class and its rate from 0 to 1, such as my.Operator:0.1");
         }
         MutationOperator operator = classes.make("mutations", parts.group(1), MutationOperator.class);
-        String name = operator.logName();
-        if (name == null || !name.matches("\\S+")) {
+        String name = OwnClasses.ask("mutations=" + mutation + ": logName()", operator::logName);
+        if (!name.matches("\\S+")) {
             throw new UserError("mutations=" + mutation + ": logName() must be one word, is '" + name + "'");
         }
         return variation.withMutation(rate, operator);

@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.CheckedParts;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.modules.ModuleDivision;
@@ -206,25 +207,33 @@ record GameParameters(
     }
 
     private static Sensor labelled(String name, Sensor sensor) {
-        String label = sensor.label();
-        if (label == null) {
-            throw new UserError("ownSensors=" + name + ": label() must not be null");
-        }
-        PlainText.require("ownSensors=" + name + ": label()", label);
-        return sensor;
+        String asked = "ownSensors=" + name + ": label()";
+        PlainText.require(asked, OwnClasses.ask(asked, sensor::label));
+        return CheckedParts.of(sensor);
     }
 
     private @Nullable ModuleDivision division(OwnClasses classes) {
         if (multitaskModes < 2) {
             return null;
         }
-        ModuleDivision division = ModuleDivisions.find(pacmanMultitaskScheme)
-                .orElseGet(() -> classes.make("pacmanMultitaskScheme", pacmanMultitaskScheme, ModuleDivision.class));
+        ModuleDivision division = ModuleDivisions.find(pacmanMultitaskScheme).orElseGet(() -> ownDivision(classes));
         if (division.modules() != multitaskModes) {
             throw new UserError("multitaskModes=" + multitaskModes + ": " + pacmanMultitaskScheme + " chooses among "
                     + division.modules() + " modules; give multitaskModes=" + division.modules());
         }
         return division;
+    }
+
+    private ModuleDivision ownDivision(OwnClasses classes) {
+        String asked = "pacmanMultitaskScheme=" + pacmanMultitaskScheme + ": ";
+        ModuleDivision division = classes.make("pacmanMultitaskScheme", pacmanMultitaskScheme, ModuleDivision.class);
+        int modules = OwnClasses.ask(asked + "modules()", division::modules);
+        for (int i = 0; i < modules; i++) {
+            int module = i;
+            String observation = asked + "observation(" + module + ")";
+            PlainText.require(observation, OwnClasses.ask(observation, () -> division.observation(module)));
+        }
+        return CheckedParts.of(division);
     }
 
     private Supplier<NewGhostController> ghosts(OwnClasses classes) {

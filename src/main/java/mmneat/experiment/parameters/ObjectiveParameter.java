@@ -4,6 +4,7 @@ import java.util.List;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.CheckedParts;
 import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.TrialGame;
 import mmneat.mspacman.objectives.GameObjective;
@@ -50,11 +51,14 @@ final class ObjectiveParameter {
             throw new UserError(NAME + "=" + name + ": must be one of " + String.join(", ", recorded.names())
                     + ", or a class of your own" + NearestName.suggestion(name, recorded.names()));
         }
-        GameObjective objective = GameObjective.of(classes.make(NAME, name, Objective.class));
-        if (objective.name() == null || objective.name().isBlank() || !Double.isFinite(objective.worst())) {
+        Objective objective = classes.make(NAME, name, Objective.class);
+        String asked = NAME + "=" + name + ": name()";
+        String label = OwnClasses.ask(asked, objective::name);
+        double worst = OwnClasses.ask(NAME + "=" + name + ": worst()", objective::worst);
+        if (label.isBlank() || !Double.isFinite(worst)) {
             throw new UserError(NAME + "=" + name + ": name() must not be empty, and worst() must be finite");
         }
-        PlainText.require(NAME + "=" + name + ": name()", objective.name());
-        return objective;
+        PlainText.require(asked, label);
+        return GameObjective.of(CheckedParts.of(objective));
     }
 }

@@ -7,6 +7,7 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import mmneat.experiment.UserError;
@@ -104,6 +105,25 @@ final class OwnClasses {
         }
     }
 
+    /**
+     * Asks an object of the user's own for something that must not be null.
+     *
+     * @param asked the parameter, the class and the method, for messages
+     * @throws UserError if the method throws or returns null
+     */
+    static <T> T ask(String asked, Supplier<T> method) {
+        T answer;
+        try {
+            answer = method.get();
+        } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
+            throw new UserError(asked + " threw " + e, e);
+        }
+        if (answer == null) {
+            throw new UserError(asked + " must not be null");
+        }
+        return answer;
+    }
+
     /** Creates an object of such a class by its public constructor without arguments. */
     <T> T make(String parameter, String className, Class<T> type) {
         String asked = parameter + "=" + className;
@@ -111,6 +131,12 @@ final class OwnClasses {
             return find(parameter, className, type).getConstructor().newInstance();
         } catch (InvocationTargetException e) {
             throw new UserError(asked + ": cannot be created: " + e.getCause(), e);
+        } catch (LinkageError e) {
+            throw new UserError(asked + ": cannot be created: " + (e.getCause() == null ? e : e.getCause()), e);
+        } catch (IllegalAccessException e) {
+            throw new UserError(asked + ": the class must be public", e);
+        } catch (InstantiationException e) {
+            throw new UserError(asked + ": the class must not be abstract", e);
         } catch (ReflectiveOperationException e) {
             throw new UserError(asked + ": needs a public constructor without arguments", e);
         }

@@ -30,6 +30,9 @@ public record Parameter(
     /** The heading of the parameters that the original does not have. */
     static final String EVERYDAY = "Everyday";
 
+    /** The package of the example controllers, in the original and here. */
+    private static final String EXAMPLE_CONTROLLERS = "pacman.controllers.examples.";
+
     private static final Set<String> OF_EVOLUTION_ALONE = Set.of(
             "Run control",
             "Selection and evaluation",
@@ -65,7 +68,7 @@ public record Parameter(
         PlainText.require(name, PlainText.trimmed(text));
         String canonical;
         try {
-            canonical = allowed.spelled(type.canonical(text));
+            canonical = allowed.spelled(withoutPackageIfShipped(type.canonical(text)));
         } catch (IllegalArgumentException e) {
             throw badValue(text);
         }
@@ -78,6 +81,15 @@ public record Parameter(
             throw badValue(text);
         }
         return canonical;
+    }
+
+    /** A class of the user's own may be in the package of the example controllers, too, so only known names lose it. */
+    private String withoutPackageIfShipped(String value) {
+        if (type != ParameterType.CLASS || !value.startsWith(EXAMPLE_CONTROLLERS)) {
+            return value;
+        }
+        String simple = value.substring(EXAMPLE_CONTROLLERS.length());
+        return simple.equals(defaultValue) || allowed.choices().contains(simple) ? simple : value;
     }
 
     /** Whether {@link #check} lets a value pass. */

@@ -2,6 +2,7 @@ package mmneat.experiment.parameters;
 
 import java.util.Locale;
 import mmneat.experiment.PlainText;
+import mmneat.mspacman.modules.OriginalClassName;
 
 /** The kinds of values that parameters have. */
 public enum ParameterType {
@@ -56,13 +57,7 @@ public enum ParameterType {
     /** Returns the simple name of a class of the original, whichever package is given. */
     private static String canonicalClass(String text) {
         String name = text.strip();
-        boolean ofOriginal = name.startsWith("edu.southwestern.")
-                || name.startsWith("edu.utexas.cs.nn.")
-                || name.startsWith("pacman.controllers.");
-        if (name.equals("null")) {
-            return "";
-        }
-        return ofOriginal ? name.substring(name.lastIndexOf('.') + 1) : name;
+        return name.equals("null") ? "" : OriginalClassName.simple(name);
     }
 
     static ParameterType of(String name) {

@@ -132,6 +132,9 @@ final class RunWorker {
         if (e instanceof UserError) {
             return failed(e.getMessage(), null);
         }
+        if (e instanceof BadPartException) {
+            return failed(e.getMessage(), null);
+        }
         if (e instanceof BadEvaluationException) {
             return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), null);
         }

@@ -45,7 +45,7 @@ public final class ModuleDivisions {
      * @return empty if the original has no division of this name
      */
     public static Optional<ModuleDivision> find(String name) {
-        String simple = name.substring(name.lastIndexOf('.') + 1);
+        String simple = OriginalClassName.simple(name);
         return Optional.ofNullable(KNOWN.get(
                 simple.endsWith("ModeSelector")
                         ? simple.substring(0, simple.length() - "ModeSelector".length())

@@ -5,6 +5,7 @@ import java.util.List;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.GenePool;
 import mmneat.neat.GenotypeDraft;
+import mmneat.neat.OwnPart;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -39,8 +40,26 @@ final class OffspringMutation {
                 rates.perLinkWeight() > 0
                         ? new Chance(1, new AllWeightMutation(rates.perLinkWeight()))
                         : new Chance(rates.oneWeight(), new OneWeightMutation()));
-        settings.ownMutations().forEach(own -> others.add(new Chance(own.rate(), own.operator())));
+        settings.ownMutations().forEach(own -> others.add(new Chance(own.rate(), checked(own.operator(), activation))));
         afterModules = List.copyOf(others);
+    }
+
+    private static MutationOperator checked(MutationOperator operator, ActivationFunction activation) {
+        return new CheckedMutation(operator, new DraftCheck(OwnPart.of("mutation", operator), activation));
+    }
+
+    /** An operator of the user's own. */
+    private record CheckedMutation(MutationOperator operator, DraftCheck check) implements MutationOperator {
+
+        @Override
+        public String logName() {
+            return operator.logName();
+        }
+
+        @Override
+        public boolean apply(GenotypeDraft offspring, GenePool pool, ResumableRandom random) {
+            return check.call(() -> operator.apply(offspring, pool, random), pool, offspring);
+        }
     }
 
     private static List<Chance> moduleMutations(VariationSettings settings) {

@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.OptionalLong;
+import java.util.function.Supplier;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.GenotypeDraft;
 import mmneat.neat.ModuleLayout;
+import mmneat.neat.OwnPart;
 import mmneat.random.ResumableRandom;
 
 /**
@@ -21,6 +23,10 @@ public final class Reproduction {
 
     private final GenePool pool;
     private final CrossoverOperator crossover;
+
+    /** Check of a crossover of the user's own; null for NEAT's. */
+    private final DraftCheck crossoverCheck;
+
     private final OffspringMutation mutation;
 
     /**
@@ -32,6 +38,9 @@ public final class Reproduction {
         this.pool = Objects.requireNonNull(pool, "pool");
         Objects.requireNonNull(settings, "settings");
         this.crossover = settings.ownCrossover().orElseGet(() -> new Crossover(settings.crossoverExcessRate()));
+        this.crossoverCheck = settings.ownCrossover()
+                .map(own -> new DraftCheck(OwnPart.of("crossover", own), settings.activation()))
+                .orElse(null);
         this.mutation = new OffspringMutation(settings);
     }
 
@@ -39,7 +48,8 @@ public final class Reproduction {
      * Returns a mutated copy of one parent.
      *
      * @throws IllegalArgumentException if the parent has genes that are not of this pool
-     * @throws IllegalStateException if a module is to be added to a multitask network
+     * @throws IllegalStateException if a module is to be added to a multitask network, or an operator of the user's own
+     *     fails or leaves an invalid network behind ({@link mmneat.neat.BadPartException})
      */
     public Offspring fromOne(Genotype parent, ResumableRandom random) {
         pool.requireOwn(parent);
@@ -57,7 +67,8 @@ public final class Reproduction {
      * @throws IllegalArgumentException if {@code room} is less than 1, a parent has genes that are not of this pool,
      *     only one parent is a multitask network, or the parents differ in the number of inputs or of policy neurons
      *     per module
-     * @throws IllegalStateException if a module is to be added to a multitask network
+     * @throws IllegalStateException if a module is to be added to a multitask network, or an operator of the user's own
+     *     fails or leaves an invalid network behind ({@link mmneat.neat.BadPartException})
      */
     public List<Offspring> fromTwo(Genotype first, Genotype second, int room, ResumableRandom random) {
         if (room < 1) {
@@ -70,7 +81,7 @@ public final class Reproduction {
         // The original copies the second parent, which takes an id, and makes the child from that copy with another id.
         pool.takeGenotypeId();
         GenotypeDraft secondChild = GenotypeDraft.copyOf(second, pool.takeGenotypeId());
-        crossover.cross(firstChild, secondChild, pool.archetype(), random);
+        cross(firstChild, secondChild, random);
 
         List<Offspring> children = new ArrayList<>(2);
         if (room > 1) {
@@ -78,6 +89,18 @@ public final class Reproduction {
         }
         children.add(finish(firstChild, first.id(), OptionalLong.of(second.id()), random));
         return children;
+    }
+
+    private void cross(GenotypeDraft first, GenotypeDraft second, ResumableRandom random) {
+        if (crossoverCheck == null) {
+            crossover.cross(first, second, pool.archetype(), random);
+            return;
+        }
+        Supplier<Boolean> own = () -> {
+            crossover.cross(first, second, pool.archetype(), random);
+            return true;
+        };
+        crossoverCheck.call(own, pool, first, second);
     }
 
     private static void requireAlike(Genotype first, Genotype second) {

@@ -38,6 +38,23 @@ class ParameterReaderTest {
                 .doesNotContain("\n");
     }
 
+    /** Only classes of the original and those that are shipped lose their package. */
+    @ParameterizedTest
+    @CsvSource({
+        "ghostTeam, pacman.controllers.examples.Legacy, Legacy",
+        "ghostTeam, pacman.controllers.examples.mine.Legacy, pacman.controllers.examples.mine.Legacy",
+        "ghostTeam, pacman.controllers.examples.MyGhosts, pacman.controllers.examples.MyGhosts",
+        "ghostTeam, pacman.controllers.mine.Legacy, pacman.controllers.mine.Legacy",
+        "pacmanMultitaskScheme, edu.southwestern.tasks.mspacman.multitask.AnyPillsModeSelector, AnyPillsModeSelector",
+        "pacmanMultitaskScheme, edu.utexas.cs.nn.tasks.mspacman.multitask.AnyPillsModeSelector, AnyPillsModeSelector",
+        "pacmanMultitaskScheme, my.AnyPillsModeSelector, my.AnyPillsModeSelector",
+        "crossover, pacman.controllers.mine.TWEANNCrossover, pacman.controllers.mine.TWEANNCrossover",
+        "task, pacman.controllers.mine.MyTask, pacman.controllers.mine.MyTask"
+    })
+    void classOfTheUsersOwn_keepsItsPackage(String name, String given, String canonical) {
+        assertThat(ParameterCatalogue.load().require(name).check(given)).isEqualTo(canonical);
+    }
+
     @Test
     void taskAlone_meansTwoModulesWithThePapersSettings() {
         Parameters parameters = read("task=blended");

@@ -53,11 +53,15 @@ class OwnPartsTest {
                 "Sine", "LateGame", "Survival", "TwoChasers", "WeightDecay", "AverageWeights", "BestSum", "Careful")) {
             sources.add(Files.readString(Path.of(EXAMPLES, name + ".java")));
         }
-        sources.add("package my; import java.util.EnumMap; import pacman.game.Constants.*;"
-                + " public class Counting extends pacman.controllers.Controller<EnumMap<GHOST, MOVE>> { private int calls;"
+        sources.add("package pacman.controllers.mine; import java.util.EnumMap; import pacman.game.Constants.*;"
+                + " public class Legacy extends pacman.controllers.Controller<EnumMap<GHOST, MOVE>> { private int calls;"
                 + " public EnumMap<GHOST, MOVE> getMove(pacman.game.Game game, long timeDue) {"
                 + " EnumMap<GHOST, MOVE> moves = new EnumMap<>(GHOST.class);"
                 + " moves.put(GHOST.INKY, MOVE.values()[calls++ / 7 % 4]); return moves; } }");
+        sources.add("package my; public class AnyPillsModeSelector implements mmneat.mspacman.modules.ModuleDivision {"
+                + " public int modules() { return 2; }"
+                + " public int module(mmneat.mspacman.sensors.Observation observation) {"
+                + " return observation.isAtJunction() ? 0 : 1; } }");
         sources.add("package my; public class NoNumber implements mmneat.mspacman.objectives.Objective {"
                 + " public double score(pacman.game.Game game) { return Double.NaN; } }");
         sources.add("package my; public class NoName implements mmneat.neat.variation.MutationOperator {"
@@ -70,9 +74,6 @@ class OwnPartsTest {
                 + " public double of(double sum) { return Math.log(sum); } }");
         sources.add("package my; public class Lock implements mmneat.neat.NeuronFunction {"
                 + " private Lock() {} public double of(double sum) { return sum; } }");
-        sources.add("package my; public class Twins implements mmneat.nsga2.Selection {"
-                + " public int[] survivors(double[][] scores, int count, mmneat.random.ResumableRandom random) {"
-                + " return new int[count]; } }");
         Path compiled =
                 CompiledClasses.compile(classes, System.getProperty("java.class.path"), sources.toArray(String[]::new));
         jar = CompiledClasses.jar(compiled, classes.resolve("my-parts.jar"));
@@ -122,7 +123,7 @@ class OwnPartsTest {
                 "method=MMD activation=Sine",
                 "objectives=Survival,GameScore[Max],GhostRegretScore",
                 "ghostTeam=TwoChasers",
-                "ghostTeam=my.Counting",
+                "ghostTeam=pacman.controllers.mine.Legacy",
                 "mutations=WeightDecay:0.5",
                 "crossover=AverageWeights",
                 "selection=BestSum",
@@ -136,6 +137,15 @@ class OwnPartsTest {
         run("plain", 3, parts.length > 1 ? parts[0] : "method=2M");
 
         assertThat(files("interrupted")).isEqualTo(files("whole")).isNotEqualTo(files("plain"));
+    }
+
+    @Test
+    void classWithTheNameOfABuiltInOne_isTheUsersOwn() throws Exception {
+        run("own", 2, "method=MT2", "pacmanMultitaskScheme=my.AnyPillsModeSelector");
+        run("builtIn", 2, "method=MT2", "pacmanMultitaskScheme=AnyPillsModeSelector");
+        assertThat(files("own")).isNotEqualTo(files("builtIn"));
+        assertThat(Files.readString(folder.resolve("own/run0/parameters.properties")))
+                .contains("pacmanMultitaskScheme=my.AnyPillsModeSelector");
     }
 
     @Test
@@ -232,8 +242,6 @@ class OwnPartsTest {
                         "task=blended: genotype 1 in generation 0, trial 1 of 1: activation function my.Gap: gave NaN for")
                 .doesNotContain("\n");
         assertThat(gap.failure()).isNull();
-        assertThat(run("twins", 1, "selection=my.Twins").message())
-                .contains("the selection must name 6 different survivors of 12");
     }
 
     @ParameterizedTest

@@ -1,0 +1,64 @@
+package mmneat.neat.variation;
+
+import java.util.List;
+import java.util.function.Supplier;
+import mmneat.neat.ActivationFunction;
+import mmneat.neat.GenePool;
+import mmneat.neat.Genotype;
+import mmneat.neat.GenotypeDraft;
+import mmneat.neat.ModuleLayout;
+import mmneat.neat.NodeGene;
+import mmneat.neat.OwnPart;
+
+/**
+ * The check of what an operator of the user's own leaves behind: a draft that is a network of the pool, and that a
+ * checkpoint can hold.
+ *
+ * @param operator the operator, for messages
+ * @param activation the only activation function of the user's own that neurons may have, if it is one
+ */
+record DraftCheck(OwnPart operator, ActivationFunction activation) {
+
+    /**
+     * Calls the operator and checks the drafts.
+     *
+     * @throws mmneat.neat.BadPartException if the operator throws, or a draft is invalid afterwards
+     */
+    <T> T call(Supplier<T> method, GenePool pool, GenotypeDraft... drafts) {
+        int[] choices = new int[drafts.length];
+        for (int i = 0; i < drafts.length; i++) {
+            choices[i] = choicesOfTask(drafts[i].layout());
+        }
+        T result = operator.call(method);
+        for (int i = 0; i < drafts.length; i++) {
+            try {
+                require(drafts[i].checked(), choices[i], pool);
+            } catch (IllegalArgumentException | NullPointerException e) {
+                throw operator.bad("made an invalid network: " + e.getMessage());
+            }
+        }
+        return result;
+    }
+
+    private static int choicesOfTask(ModuleLayout layout) {
+        return layout.isDivided() ? layout.choicesOfTask() : 0;
+    }
+
+    private void require(Genotype network, int choices, GenePool pool) {
+        if (choicesOfTask(network.layout()) != choices) {
+            throw new IllegalArgumentException("the task chooses among " + choices + " modules or groups, it has "
+                    + choicesOfTask(network.layout()));
+        }
+        if (network.moduleUsage().length > network.modules()) {
+            throw new IllegalArgumentException("moduleUsage: has " + network.moduleUsage().length
+                    + " numbers, more than the " + network.modules() + " modules");
+        }
+        for (NodeGene node : network.nodes()) {
+            if (node.activation().isOwn() && !node.activation().equals(activation)) {
+                throw new IllegalArgumentException("a neuron has the activation function " + node.activation()
+                        + "; it must be built in or that of the evolution, " + activation);
+            }
+        }
+        pool.state().requireOwn(List.of(network));
+    }
+}
