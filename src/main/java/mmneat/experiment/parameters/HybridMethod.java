@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
+import mmneat.mspacman.modules.OriginalClassName;
 
 /**
  * A hybrid of the two ways in which the paper chooses modules. A division, a rule written by a human, chooses a group
@@ -60,23 +61,44 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
      * @param value {@code H:} and each group of the division once, in any order, {@code MMD} at the end for module
      *     mutation
      * @param version of the task, whose divisions have the names
+     * @param division the division that was asked for; empty for the published one. The groups of another division have
+     *     numbers instead of names
      * @throws UserError if there is no such method
      */
-    static String shortName(String value, Optional<TaskVersion> version) {
+    static String shortName(String value, Optional<TaskVersion> version, String division) {
         List<String> parts = new ArrayList<>(
                 Arrays.asList(value.substring(LONG_FORM.length()).split(",")));
         boolean isGrowing = parts.remove(GROWING);
-        List<String> groups = version.map(known -> groups(known, parts.size())).orElse(List.of());
+        boolean isNumbered =
+                version.filter(known -> isOther(division, known, parts.size())).isPresent();
+        List<String> groups = isNumbered
+                ? IntStream.range(0, parts.size()).mapToObj(String::valueOf).toList()
+                : version.map(known -> groups(known, parts.size())).orElse(List.of());
         List<Integer> sizes = new ArrayList<>(Collections.nCopies(groups.size(), 0));
         for (String part : parts) {
             Matcher group = GROUP.matcher(part);
             int place = group.matches() ? groups.indexOf(group.group(1)) : -1;
             if (place < 0 || sizes.get(place) > 0) {
-                throw new UserError("method=" + value + ": '" + part + "' is not allowed; " + words(version));
+                throw new UserError("method=" + value + ": '" + part + "' is not allowed; "
+                        + (isNumbered ? numbers(division) : words(version)));
             }
             sizes.set(place, Integer.parseInt(group.group(2)));
         }
         return name(sizes, isGrowing);
+    }
+
+    /** Whether a division was asked for that is not the published one with so many groups. */
+    private static boolean isOther(String division, TaskVersion version, int groups) {
+        if (division.isBlank()) {
+            return false;
+        }
+        Map<String, String> published = new HybridMethod(Collections.nCopies(groups, 1), false).settings(version);
+        return !OriginalClassName.simple(division.strip()).equals(published.get("pacmanMultitaskScheme"));
+    }
+
+    private static String numbers(String division) {
+        return "give every group of pacmanMultitaskScheme=" + division + " once by its number from 0, such as "
+                + LONG_FORM + "0=1,1=1";
     }
 
     private static String words(Optional<TaskVersion> version) {

@@ -62,8 +62,8 @@ public final class ParameterReader {
                 commandLine.containsKey("config") ? file(commandLine.get("config"), forGames, remarks) : Map.of();
         commandLine.computeIfPresent(
                 "method",
-                (unused, method) ->
-                        shortMethod(method, commandLine.getOrDefault("task", file.getOrDefault("task", ""))));
+                (unused, method) -> shortMethod(
+                        method, asked("task", commandLine, file), asked("pacmanMultitaskScheme", commandLine, file)));
         Map<String, String> asked = new LinkedHashMap<>(file);
         if (WHICH_RUNS.stream().anyMatch(commandLine::containsKey)) {
             // The file may be that of one run (parameters.properties). If the command line selects other runs, all
@@ -129,8 +129,14 @@ public final class ParameterReader {
         return word.name().equals("method") && !word.originalForm() && HybridMethod.isLongForm(word.value());
     }
 
-    private static String shortMethod(String method, String task) {
-        return HybridMethod.isLongForm(method) ? HybridMethod.shortName(method, TaskVersion.labelled(task)) : method;
+    private static String asked(String name, Map<String, String> commandLine, Map<String, String> file) {
+        return commandLine.getOrDefault(name, file.getOrDefault(name, ""));
+    }
+
+    private static String shortMethod(String method, String task, String division) {
+        return HybridMethod.isLongForm(method)
+                ? HybridMethod.shortName(method, TaskVersion.labelled(task), division)
+                : method;
     }
 
     /**

@@ -1,5 +1,6 @@
 package mmneat.experiment.run;
 
+import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -49,8 +50,7 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
         String base = parameters.isGiven("base") ? parameters.text("base") : "results/" + task;
         String saveTo = parameters.isGiven("saveTo") ? parameters.text("saveTo") : method;
         // Experiments that differ in the names of their runs must not share the files of all runs.
-        String label =
-                parameters.isGiven("saveTo") ? saveTo.replaceAll("[-_]+$", "").replaceAll("[/\\\\]", "-") : method;
+        String label = parameters.isGiven("saveTo") ? label(saveTo) : method;
         String log = parameters.isGiven("log") ? parameters.text("log") : task + "-" + label;
         requireNames(saveTo, log, numbers.get(numbers.size() - 1), parameters);
         Parameters placed = parameters.with("base", base).with("saveTo", saveTo).with("log", log);
@@ -63,6 +63,11 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
                                 .with("randomSeed", oneSeed ? parameters.text("randomSeed") : number)))
                 .toList();
         return new ExperimentPlan(placed, log, Path.of(base), runs);
+    }
+
+    /** The part of file names that stands for a folder's name: a backslash separates folders on Windows only. */
+    private static String label(String saveTo) {
+        return saveTo.replaceAll("[-_]+$", "").replace('/', '-').replace('\\', File.separatorChar == '\\' ? '-' : '_');
     }
 
     /** Checks that the names of the last run's files are not too long, before any run is started. */

@@ -132,16 +132,28 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
 
     /**
      * Records the requested runs in the experiment's folder, so that runs that were not started are shown as waiting.
+     *
+     * @throws UserError if the runs of another {@code saveTo} are recorded under the same name
      */
     public static void recordRequested(ExperimentPlan plan) throws IOException {
         Path file = plan.base().resolve(plan.name() + ASKED);
         SortedSet<Integer> numbers = new TreeSet<>();
         for (RunView run : asked(file)) {
             numbers.add(run.number());
+            requireSameFolder(run, plan, file);
         }
         plan.runs().forEach(run -> numbers.add(run.number()));
         String saveTo = plan.parameters().text("saveTo");
         DurableFiles.write(file, JsonMapper.builder().build().writeValueAsBytes(new AskedRuns(saveTo, numbers)));
+    }
+
+    /** Two experiments whose runs lie in different folders must not share the files of all runs. */
+    private static void requireSameFolder(RunView known, ExperimentPlan plan, Path file) {
+        Path other = plan.base().resolve(plan.parameters().text("saveTo") + known.number());
+        if (!known.directory().normalize().equals(other.normalize())) {
+            throw new UserError(file + ": belongs to the runs " + known.directory() + ", and those of saveTo="
+                    + plan.parameters().text("saveTo") + " would have files of the same names; give log=NAME");
+        }
     }
 
     private static List<RunView> asked(Path file) throws IOException {

@@ -47,6 +47,7 @@ final class RunRecorder implements EvolutionObserver {
             Task task,
             RunFolder folder,
             RunFiles files,
+            GenerationTable table,
             CheckpointFile checkpoint,
             RunLock lock,
             CommitGate gate,
@@ -62,7 +63,7 @@ final class RunRecorder implements EvolutionObserver {
         this.monitor = monitor;
         this.checkpoints = checkpoints;
         this.status = status;
-        table = new GenerationTable(task);
+        this.table = table;
     }
 
     /** The last status that was written. */

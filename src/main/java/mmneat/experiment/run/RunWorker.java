@@ -30,6 +30,7 @@ import mmneat.experiment.store.Checkpoint;
 import mmneat.experiment.store.CheckpointCheck;
 import mmneat.experiment.store.CheckpointFile;
 import mmneat.experiment.store.DurableFiles;
+import mmneat.experiment.store.GenerationTable;
 import mmneat.experiment.store.GhostLocationsCopy;
 import mmneat.experiment.store.RunFolder;
 import mmneat.experiment.store.RunLock;
@@ -185,8 +186,10 @@ final class RunWorker {
         status.write(run.directory());
         CheckpointSchedule checkpoints =
                 CheckpointSchedule.of(run.parameters().text("checkpointEvery"), System::nanoTime);
+        GenerationTable table = GenerationTable.in(
+                run.directory(), task, settings.initialNetworks().layout());
         RunRecorder recorder =
-                new RunRecorder(task, folder, files, checkpoint, lock, gate, monitor, checkpoints, status);
+                new RunRecorder(task, folder, files, table, checkpoint, lock, gate, monitor, checkpoints, status);
         monitor.started(state.generation());
         evolve(settings, state, task, recorder);
         String damage = checkpoint.damage().isEmpty()

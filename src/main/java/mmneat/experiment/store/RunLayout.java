@@ -46,7 +46,10 @@ public final class RunLayout {
     /** One row per generation, below a header. */
     public static final String GENERATIONS = "generations.csv";
 
-    /** The columns of {@link #GENERATIONS} for every task; the best scores in its objectives follow. */
+    /**
+     * The columns of {@link #GENERATIONS} for every task; the best scores in its objectives follow, and in runs
+     * of hybrids {@link #columnsOfGroup}.
+     */
     public static final List<String> GENERATIONS_COLUMNS =
             List.of("generation", "best", "median", "worst", "champion", "modules", "neurons", "links", "steps");
 
@@ -102,6 +105,14 @@ public final class RunLayout {
     private static final Pattern NETWORKS_FOLDER = Pattern.compile("initial|gen\\d+");
 
     private RunLayout() {}
+
+    /**
+     * The columns of {@link #GENERATIONS} for a group of modules, counted from 0. Runs of hybrids have them for each
+     * group, behind all other columns.
+     */
+    static List<String> columnsOfGroup(int group) {
+        return List.of("modules of group " + group, "use of group " + group);
+    }
 
     /** The best network in an objective, counted from 0, in the original's form. */
     public static String bestIn(int objective) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -84,6 +85,27 @@ class ExperimentPlanTest {
         assertThatThrownBy(() -> plan("task=blended", "runs=2", "run=1"))
                 .isInstanceOf(UserError.class)
                 .hasMessageContaining("'run' and 'runs'");
+    }
+
+    @Test
+    void foldersWithDifferentNames_haveFilesWithDifferentNames() {
+        assertThat(plan("task=blended", "saveTo=a/b").name()).isEqualTo("blended-a-b");
+        // On Windows both mean the same folder.
+        boolean isOneFolder = File.separatorChar == '\\';
+        assertThat(plan("task=blended", "saveTo=a\\b").name()).isEqualTo(isOneFolder ? "blended-a-b" : "blended-a_b");
+    }
+
+    @Test
+    void runsOfAnotherFolder_areNotReplacedInTheListOfRuns(@TempDir Path folder) throws IOException {
+        String base = "base=" + folder;
+        ExperimentView.recordRequested(plan("task=blended", base, "runs=3", "saveTo=a/b"));
+        ExperimentView.recordRequested(plan("task=blended", base, "runs=4", "saveTo=a/./b"));
+        assertThatThrownBy(() -> ExperimentView.recordRequested(plan("task=blended", base, "runs=2", "saveTo=a-b")))
+                .isInstanceOf(UserError.class)
+                .hasMessage(
+                        folder.resolve("blended-a-b.runs.json") + ": belongs to the runs " + folder.resolve("a/b0")
+                                + ", and those of saveTo=a-b would have files of the same names; give log=NAME");
+        ExperimentView.recordRequested(plan("task=blended", base, "runs=2", "saveTo=a-b", "log=other"));
     }
 
     @Test

@@ -2,9 +2,11 @@ package mmneat.experiment.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.io.Reader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,12 +16,18 @@ import java.util.Map;
 import java.util.Properties;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
+import mmneat.analysis.results.RunReader;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.Parameters;
 import mmneat.experiment.parameters.PublishedTask;
+import mmneat.mspacman.modules.ModuleDivision;
+import mmneat.mspacman.sensors.Observation;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeFiles;
 import org.junit.jupiter.api.Test;
@@ -98,6 +106,122 @@ class HybridRunsTest {
                 assertThat(GenotypeFiles.read(file).layout().isGrouped()).isTrue();
             }
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"method=H21", "method=H12MMD mmdRate=0.5"})
+    void tableOfGenerations_hasTheModulesAndTheUseOfEachGroup(String words) throws Exception {
+        run("table", 3, ("task=blended " + words).split(" "));
+        List<String> lines = Files.readAllLines(folder.resolve("table/run0/generations.csv"));
+        List<String> header = List.of(lines.get(0).replace("\"", "").split(","));
+        assertThat(header.subList(header.size() - 4, header.size()))
+                .containsExactly("modules of group 0", "use of group 0", "modules of group 1", "use of group 1");
+        for (String line : lines.subList(1, lines.size())) {
+            List<String> row = List.of(line.split(","));
+            assertThat(row).hasSameSizeAs(header);
+            List<String> groups = row.subList(row.size() - 4, row.size());
+            assertThat(Integer.parseInt(groups.get(0)) + Integer.parseInt(groups.get(2)))
+                    .isEqualTo(Integer.parseInt(row.get(header.indexOf("modules"))));
+            assertThat(Double.parseDouble(groups.get(1)) + Double.parseDouble(groups.get(3)))
+                    .isCloseTo(1, within(1e-9));
+        }
+        Genotype champion = GenotypeFiles.read(folder.resolve("table/run0/champion.json"));
+        List<String> ofChampion = List.of(lines.get(3).split(","));
+        int[] usage = champion.moduleUsage();
+        int ofGroup0 = IntStream.range(0, usage.length)
+                .filter(module -> champion.layout().choiceOf(module) == 0)
+                .map(module -> usage[module])
+                .sum();
+        assertThat(ofChampion.get(header.size() - 4))
+                .isEqualTo(champion.layout().sizesOfGroups().get(0).toString());
+        assertThat(Double.parseDouble(ofChampion.get(header.size() - 3)))
+                .isEqualTo((double) ofGroup0 / Arrays.stream(usage).sum());
+    }
+
+    /** The table of a version that did not know these columns. */
+    @Test
+    void tableWithoutColumnsOfGroups_goesOnWithoutThem_andIsRead() throws Exception {
+        run("old", 2, "task=blended", "method=H21");
+        Path of = folder.resolve("old/run0");
+        Path table = of.resolve("generations.csv");
+        List<String> shorter = Files.readAllLines(table).stream()
+                .map(line -> line.split(","))
+                .map(fields -> String.join(",", Arrays.copyOf(fields, fields.length - 4)))
+                .toList();
+        // The checkpoint was written before the last generation, the third line of the table.
+        String kept = String.join("\n", shorter.subList(0, 3)) + "\n";
+        long before = String.join("\n", Files.readAllLines(table).subList(0, 3)).length() + 1L;
+        Files.writeString(table, String.join("\n", shorter) + "\n");
+        for (String name : List.of("checkpoint.json.gz", "checkpoint-previous.json.gz")) {
+            replaceIn(of.resolve(name), "\"generations.csv\":" + before, "\"generations.csv\":" + kept.length());
+        }
+        run("old", 3, "task=blended", "method=H21");
+        run("new", 3, "task=blended", "method=H21");
+
+        List<String> continued = Files.readAllLines(table);
+        List<String> whole = Files.readAllLines(folder.resolve("new/run0/generations.csv"));
+        assertThat(continued).hasSize(5);
+        for (int i = 0; i < continued.size(); i++) {
+            assertThat(whole.get(i)).startsWith(continued.get(i) + ",");
+        }
+        assertThat(RunReader.championScores(of)).isEqualTo(RunReader.championScores(folder.resolve("new/run0")));
+    }
+
+    private static void replaceIn(Path packed, String before, String after) throws IOException {
+        String text;
+        try (GZIPInputStream in = new GZIPInputStream(Files.newInputStream(packed))) {
+            text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        }
+        try (GZIPOutputStream out = new GZIPOutputStream(Files.newOutputStream(packed))) {
+            out.write(text.replace(before, after).getBytes(StandardCharsets.UTF_8));
+        }
+    }
+
+    /** A division of the user's own: three kinds of time steps. */
+    public static final class Thirds implements ModuleDivision {
+        @Override
+        public int modules() {
+            return 3;
+        }
+
+        @Override
+        public int module(Observation observation) {
+            return observation.highestEdibleTime() > 0 ? 2 : observation.isAtJunction() ? 1 : 0;
+        }
+    }
+
+    @Test
+    void divisionOfTheUsersOwn_choosesTheGroup() throws Exception {
+        String division = "pacmanMultitaskScheme=" + Thirds.class.getName();
+        run("long", 2, "task=blended", "method=H:0=2,2=1,1=3", division);
+        run("short", 2, "task=blended", "method=H231", division);
+        run("published", 2, "task=blended", "method=H231");
+        assertThat(files("long")).isEqualTo(files("short")).isNotEqualTo(files("published"));
+        Genotype champion = GenotypeFiles.read(folder.resolve("long/run0/champion.json"));
+        assertThat(champion.layout().sizesOfGroups()).containsExactly(2, 3, 1);
+
+        run("growing", 2, "task=blended", "method=H:0=1,1=2,2=1,MMD", "mmdRate=0.9", division);
+        try (Stream<Path> networks = Files.walk(folder.resolve("growing/run0/gen2"))) {
+            assertThat(networks.filter(Files::isRegularFile).toList())
+                    .extracting(file -> GenotypeFiles.read(file).layout().choicesOfTask())
+                    .containsOnly(3);
+        }
+    }
+
+    @Test
+    void groupsOfAnotherDivision_haveNumbersInsteadOfNames() {
+        assertThatThrownBy(() -> parameters(
+                        "task=blended", "method=H:threat=2,edible=1", "pacmanMultitaskScheme=AnyPillsModeSelector"))
+                .isInstanceOf(UserError.class)
+                .hasMessage(
+                        "method=H:threat=2,edible=1: 'threat=2' is not a group and its number of modules; the groups"
+                                + " of pacmanMultitaskScheme=AnyPillsModeSelector are numbered from 0: H:0=1,1=1");
+        assertThat(parameters(
+                                "task=blended",
+                                "method=H:threat=2,edible=1",
+                                "pacmanMultitaskScheme=AnyGhostEdibleModeSelector")
+                        .text("method"))
+                .isEqualTo("H21");
     }
 
     @ParameterizedTest

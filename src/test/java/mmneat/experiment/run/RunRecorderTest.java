@@ -17,6 +17,7 @@ import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.Tasks;
 import mmneat.experiment.store.CheckpointFile;
+import mmneat.experiment.store.GenerationTable;
 import mmneat.experiment.store.RunFolder;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunStatus;
@@ -50,6 +51,8 @@ class RunRecorderTest {
                                     RunFiles.Choice.LOGS,
                                     RunFiles.Choice.NETWORKS,
                                     RunFiles.Choice.NEWEST_NETWORKS_ONLY)),
+                    GenerationTable.in(
+                            directory, task, settings.initialNetworks().layout()),
                     new CheckpointFile(directory),
                     lock,
                     new CommitGate(),
