@@ -205,7 +205,7 @@ public final class Evolution {
     }
 
     /** What is wrong with the survivors of a selection; empty if nothing is. */
-    private static Optional<String> problem(int[] survivors, int candidates, int count) {
+    private static Optional<String> problem(int @Nullable [] survivors, int candidates, int count) {
         if (survivors == null) {
             return Optional.of("null");
         }

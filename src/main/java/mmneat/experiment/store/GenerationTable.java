@@ -39,8 +39,8 @@ public final class GenerationTable {
     }
 
     /**
-     * The table of a run, which may have rows already. A hybrid's table without columns of groups, which versions before
-     * the first release began, goes on without them.
+     * The table of a run, which may have rows already. Versions before the first release began the table of a hybrid
+     * without columns of groups; such a table goes on without them.
      *
      * @param folder the folder of the run
      * @param layout of the run's initial networks

@@ -11,6 +11,7 @@ import mmneat.neat.GenotypeDraft;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.OwnPart;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Makes offspring from parents: copies them, crosses two copies if there are two parents, and mutates the copies.
@@ -25,7 +26,7 @@ public final class Reproduction {
     private final CrossoverOperator crossover;
 
     /** Check of a crossover of the user's own; null for NEAT's. */
-    private final DraftCheck crossoverCheck;
+    private final @Nullable DraftCheck crossoverCheck;
 
     private final OffspringMutation mutation;
 

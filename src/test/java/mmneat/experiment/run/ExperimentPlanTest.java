@@ -102,9 +102,8 @@ class ExperimentPlanTest {
         ExperimentView.recordRequested(plan("task=blended", base, "runs=4", "saveTo=a/./b"));
         assertThatThrownBy(() -> ExperimentView.recordRequested(plan("task=blended", base, "runs=2", "saveTo=a-b")))
                 .isInstanceOf(UserError.class)
-                .hasMessage(
-                        folder.resolve("blended-a-b.runs.json") + ": belongs to the runs " + folder.resolve("a/b0")
-                                + ", and those of saveTo=a-b would have files of the same names; give log=NAME");
+                .hasMessage(folder.resolve("blended-a-b.runs.json") + ": belongs to the runs " + folder.resolve("a/b0")
+                        + ", and those of saveTo=a-b would have files of the same names; give log=NAME");
         ExperimentView.recordRequested(plan("task=blended", base, "runs=2", "saveTo=a-b", "log=other"));
     }
 

@@ -213,9 +213,9 @@ class HybridRunsTest {
         assertThatThrownBy(() -> parameters(
                         "task=blended", "method=H:threat=2,edible=1", "pacmanMultitaskScheme=AnyPillsModeSelector"))
                 .isInstanceOf(UserError.class)
-                .hasMessage(
-                        "method=H:threat=2,edible=1: 'threat=2' is not a group and its number of modules; the groups"
-                                + " of pacmanMultitaskScheme=AnyPillsModeSelector are numbered from 0: H:0=1,1=1");
+                .hasMessage("method=H:threat=2,edible=1: 'threat=2' is not allowed; give every group of"
+                        + " pacmanMultitaskScheme=AnyPillsModeSelector once by its number from 0, such as"
+                        + " H:0=1,1=1");
         assertThat(parameters(
                                 "task=blended",
                                 "method=H:threat=2,edible=1",
