@@ -30,8 +30,8 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
         /** The evaluations after evolution. */
         EVALUATION,
         /**
-         * The scores of the last generation. They are too high: they rest on few games, and the champion was selected
-         * by them.
+         * The best score among the final parents of each run ({@link RunResult#lastScore}). It is too high: it rests on
+         * few games and is the maximum over many networks.
          */
         TRAINING
     }

@@ -19,7 +19,7 @@
  *   <tr><td>{@link mmneat.analysis.report}</td>
  *       <td>{@link mmneat.analysis.report.ExperimentReport}: all of these on one page</td></tr>
  *   <tr><td>{@link mmneat.analysis.replay}</td>
- *       <td>{@link mmneat.analysis.replay.ReplayRecorder}: recordings of games for viewing</td></tr>
+ *       <td>{@link mmneat.analysis.replay.GameRecording}: recordings of games for viewing</td></tr>
  *   <tr><td>{@link mmneat.analysis.recording}</td>
  *       <td>{@link mmneat.analysis.recording.GhostLocationRecorder}: ghost locations for the isolated version</td></tr>
  *   <tr><td>{@link mmneat.analysis.tasks}</td>

@@ -13,7 +13,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The option {@code ghosts=}: recorded ghost locations for the isolated version of the task. */
+/**
+ * The option {@code ghosts=} of the commands for champions (evaluate, report, tasks, watch): a file of recorded ghost
+ * locations for the isolated version of the task. The option of the same name of {@code play} names a controller.
+ */
 final class GhostsOption {
 
     private static final String NAME = "ghosts";

@@ -117,6 +117,21 @@ class CompareCommandTest extends CommandTest {
     }
 
     @Test
+    void runThatStopAtEnded_isFinished_andComparedWithOthers() throws IOException {
+        twoMethods();
+        Path stopped = base.resolve("blended/2M0/parameters.properties");
+        String parameters = Files.readString(stopped).replace("maxGens=1", "maxGens=200");
+        Files.writeString(stopped, parameters + "stopAt=1\n");
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString()).containsPattern("2M +8 ").doesNotContain("not finished");
+
+        out.getBuffer().setLength(0);
+        Files.writeString(stopped, parameters + "stopAt=1e9\n");
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString()).containsPattern("2M +7 ").contains("run 0 (not finished: generation 1 of 200)");
+    }
+
+    @Test
     void variant_isComparedWithOurs_butNotWithThePaper() throws IOException {
         twoMethods();
         evaluate(base, "blended", 8);

@@ -4,7 +4,7 @@ import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 
-/** The shape of a point in a scatter plot, filled. The names of the constants say the shapes; sizes are in radii. */
+/** The shape of a point in a scatter plot, filled. The names of the constants say the shapes. */
 enum Marker {
     CIRCLE,
     SQUARE(-1, -1, 1, -1, 1, 1, -1, 1),

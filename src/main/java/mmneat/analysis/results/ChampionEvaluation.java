@@ -30,7 +30,11 @@ public record ChampionEvaluation(
         List<long[]> moduleUse,
         long[] deathsByMaze) {
 
-    /** The situations in which module use is counted, in the order of the original's report. */
+    /**
+     * The situations in which module use is counted, in the order of the original's report: all steps, and those with
+     * Ms. Pac-Man at a junction or with an edible ghost present or absent. A step counts in each situation that fits
+     * it.
+     */
     public static final List<String> SITUATIONS = List.of(
             "all",
             "at junctions",

@@ -47,7 +47,11 @@ public record Experiment(String version, String method, String label, List<RunRe
                 .orElse(Map.of());
     }
 
-    /** Whether this is a variant of the paper's method: a parameter that defines the method has another value. */
+    /**
+     * Whether this is a variant of the paper's method of the same name, which must not stand under that name: a
+     * parameter named by {@link PublishedTask#changesTheMethod} differs from the paper's, such as the sensors or the
+     * number of lives.
+     */
     public boolean isVariant() {
         return PublishedTask.changesTheMethod(differencesFromPaper().keySet());
     }
@@ -61,7 +65,7 @@ public record Experiment(String version, String method, String label, List<RunRe
      * Returns one score per run. Unfinished runs are left out.
      *
      * @param evaluated if true, the mean scores of the evaluations after evolution, and runs without an evaluation are
-     *     left out, too; if false, the best scores of the last generation
+     *     left out, too; if false, each run's {@link RunResult#lastScore}
      */
     public double[] championScores(boolean evaluated) {
         return runs.stream()
@@ -85,7 +89,11 @@ public record Experiment(String version, String method, String label, List<RunRe
                         .orElseThrow());
     }
 
-    /** Generations that the curves over all runs cover: those of the shortest finished run. */
+    /**
+     * Number of generations that the curves over all runs cover: those evolved by the shortest finished run, or by the
+     * shortest run if none is finished. It is also the last generation that {@link #championScoresAt} accepts, because
+     * the final parents have scores, too.
+     */
     public int generations() {
         return finishedOrAll().mapToInt(RunResult::generations).min().orElseThrow();
     }

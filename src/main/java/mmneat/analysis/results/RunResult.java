@@ -47,9 +47,21 @@ public record RunResult(
         return !isUnfinished() && evaluation.isPresent();
     }
 
-    /** Whether fewer generations were evolved than its parameters ask for. */
+    /**
+     * Whether fewer generations were evolved than its parameters ask for. A run that {@code stopAt} ended early is
+     * finished.
+     */
     public boolean isUnfinished() {
         String asked = parameters.getOrDefault("maxGens", "");
-        return asked.matches("\\d{1,9}") && generations() < Integer.parseInt(asked);
+        return asked.matches("\\d{1,9}") && generations() < Integer.parseInt(asked) && !hasReachedItsScore();
+    }
+
+    private boolean hasReachedItsScore() {
+        try {
+            return lastScore() >= Double.parseDouble(parameters.getOrDefault("stopAt", "NaN"));
+        } catch (NumberFormatException e) {
+            // Empty, or from the damaged file of another person: the run has no score to reach.
+            return false;
+        }
     }
 }

@@ -195,7 +195,10 @@ public final class ComparisonReport {
         return Optional.ofNullable(comparison);
     }
 
-    /** Each of our groups against the paper's. */
+    /**
+     * The tests of our groups against the paper's groups of the same label. Groups that are not comparable have no
+     * test. The correction counts these tests only, not those between our groups.
+     */
     public List<Comparison.Pair> pairsAgainstPaper() {
         return againstPaper;
     }

@@ -127,7 +127,8 @@ public final class SlurmScript {
     }
 
     /**
-     * Returns the commands that submit the script: one, or more if run numbers reach the site's array limit.
+     * Returns the commands that submit the script, in the file {@code job.file("slurm")}: one, or more if run numbers
+     * reach the site's array limit.
      *
      * @param arrayLimit the site's {@code MaxArraySize}: array indices are smaller than it
      */

@@ -27,7 +27,12 @@ public final class SlurmSubmission {
         return Integer.parseInt(limit.group(1));
     }
 
-    /** Submits the script of {@code job}, which must have been written, and returns the job ids. */
+    /**
+     * Submits the script of a job. The caller must have written it ({@link SlurmScript#of}) to {@code
+     * job.file("slurm")}.
+     *
+     * @return the ids that Slurm gave to the jobs
+     */
     public static List<String> submit(ExperimentJob job, int arrayLimit) {
         List<String> ids = new ArrayList<>();
         for (List<String> command : SlurmScript.submitCommands(job, arrayLimit)) {

@@ -8,9 +8,10 @@ import mmneat.evolution.SampleStatistics;
 import mmneat.experiment.store.RunLayout;
 
 /**
- * The log of module counts, which the original calls ModeUsage. A row has the number of modules of the best and of the
- * worst parents by mean game score (in tasks without other scores, by the first objective), and the best such score
- * among the parents with one module, with two modules, and so on.
+ * The log of module counts, which the original calls ModeUsage. The score of a parent is its mean game score, or
+ * in tasks without other scores the first objective. A row has the maximum, minimum and mean number of modules among
+ * all parents with the best score, the same for the worst score, and the best score among the parents with one module,
+ * with two modules, and so on.
  *
  * <p>Source: docs/specification/evolution.md, section 5.2 (ModeUsage).
  */

@@ -20,7 +20,9 @@ import mmneat.mspacman.modules.OriginalClassName;
  *
  * <p>Its short name has one digit for each group, the number of its modules: {@code H21}. {@code H21MMD} adds module
  * mutation by duplication within the groups. On the command line, the groups may also be named: {@code
- * H:threat=2,edible=1,MMD}.
+ * H:threat=2,edible=1,MMD}. The division is that of the multitask method with as many groups, or the user's own ({@code
+ * pacmanMultitaskScheme}). It gives the groups their order, and the names of {@link
+ * mmneat.mspacman.modules.ModuleDivision}; docs/hybrids.md lists them.
  *
  * @param sizes number of modules of each group at the start, each 1 to 9
  * @param isGrowing whether modules are added by mutation

@@ -10,7 +10,8 @@ import mmneat.neat.NeuronFunction;
 
 /**
  * Loader of activation functions that are classes of the user's own. The parameter {@code activation} names one for an
- * evolution; the file of a network names those of its neurons.
+ * evolution; the file of a network names those of its neurons. Such a class implements {@link NeuronFunction}
+ * and has a public constructor without parameters.
  */
 public final class OwnActivation {
 

@@ -49,8 +49,9 @@ public final class ExperimentRunner {
     /**
      * Prepares an experiment without starting it.
      *
-     * @throws UserError if the task cannot be made, or a run was started with other parameters or has more generations
-     *     than requested
+     * @throws UserError if the task cannot be made, or if any of the runs was started with other parameters or has more
+     *     generations than requested; then no run is started. What changes after this check makes a single run {@link
+     *     RunMonitor.Phase#REFUSED}
      */
     public ExperimentRunner(ExperimentPlan plan) {
         this.plan = plan;

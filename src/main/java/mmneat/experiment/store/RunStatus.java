@@ -99,7 +99,8 @@ public record RunStatus(
     }
 
     /**
-     * Whether the run has finished with at least this number of generations.
+     * Whether the run has finished with at least this number of generations. A run that {@code stopAt} ended early has
+     * fewer; the reader of its folder sees it as finished because {@link #generations} then is the number it had.
      *
      * @param wanted number of requested generations
      */

@@ -35,7 +35,7 @@ public record RunView(
      * which tells whether a process is at work.
      */
     public enum State {
-        /** All requested generations are complete. */
+        /** All requested generations are complete, or the champion reached the score of {@code stopAt}. */
         FINISHED,
         /** A process works on it. */
         RUNNING,

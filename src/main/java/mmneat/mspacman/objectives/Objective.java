@@ -26,7 +26,11 @@ public interface Objective {
      */
     double score(Game game);
 
-    /** The worst score possible in an evaluation, from which hypervolumes are measured. */
+    /**
+     * The worst score possible in an evaluation, from which hypervolumes are measured: 0 unless overridden. Override it
+     * if scores can be negative; a network with a worse score than this adds nothing to the hypervolume. Evolution does
+     * not read it.
+     */
     default double worst() {
         return 0;
     }
