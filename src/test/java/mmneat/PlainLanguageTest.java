@@ -16,7 +16,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Rules of style that a program can check: vague words, long lines and long sentences. CONTRIBUTING.md has the rules.
+ * Rules of style that a program can check: vague words, long sentences, long and broken lines. CONTRIBUTING.md has
+ * the rules.
  *
  * <p>The specification is exempt from the length of sentences: a rule with all its conditions may be one sentence.
  */
@@ -25,6 +26,10 @@ class PlainLanguageTest {
     private static final Path PROJECT = Path.of(System.getProperty("basedir", "."));
 
     private static final int COLUMNS = 120;
+
+    /** Columns that may stay free at the end of a line although the next word would fit. */
+    private static final int FREE_COLUMNS = 30;
+
     private static final int WORDS = 40;
 
     /** The comment of a type or package that starts with a question or a verb instead of the noun for the thing. */
@@ -120,6 +125,27 @@ class PlainLanguageTest {
             }
         }
         assertThat(tooLong).isEmpty();
+    }
+
+    @Test
+    void paragraphs_fillTheirLines() throws IOException {
+        List<String> broken = new ArrayList<>();
+        for (Path file : documents()) {
+            String[] lines = withoutBlocks(Files.readString(file)).split("\n");
+            for (int i = 0; i + 1 < lines.length; i++) {
+                String next = lines[i + 1].strip();
+                boolean isParagraph = isProse(lines[i]) && isProse(next) && !next.matches("(?:[*-]|\\d+\\.)\\s.*");
+                int filled = lines[i].length() + 1 + next.split("\\s")[0].length();
+                if (isParagraph && filled <= COLUMNS - FREE_COLUMNS) {
+                    broken.add(PROJECT.relativize(file) + ": " + lines[i].strip() + " / " + next);
+                }
+            }
+        }
+        assertThat(broken).isEmpty();
+    }
+
+    private static boolean isProse(String line) {
+        return !line.isBlank() && !line.matches("(?:[|#!>\\[]|<!--).*|.*(?:  |\\\\)");
     }
 
     @Test
