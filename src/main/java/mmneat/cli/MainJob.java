@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
@@ -109,16 +110,26 @@ final class MainJob implements Callable<Integer> {
             out.println("Next:");
             boolean hasChampion = Champion.isIn(best.get());
             if (hasChampion && PublishedTask.version(plan.parameters()).isPresent()) {
-                out.println("  " + ShellCommand.command("watch", best.get().toString()));
+                out.println("  " + withJar(plan, "watch", best.get().toString()));
             }
             if (hasChampion) {
                 String network = best.get().resolve(RunLayout.CHAMPION).toString();
-                out.println("  " + ShellCommand.command("network", network));
+                out.println("  " + withJar(plan, "network", network));
             }
             out.println("  " + ShellCommand.command("status", plan.base().toString()));
             out.println("  " + ShellCommand.command("compare", plan.base().toString()));
             out.flush();
         }
+    }
+
+    /** A command about a champion, with the jar of the user's own classes if the runs have one. */
+    private static String withJar(ExperimentPlan plan, String... words) {
+        List<String> all = new ArrayList<>(List.of(words));
+        String jar = plan.parameters().text("jar");
+        if (!jar.isEmpty()) {
+            all.add("jar=" + jar);
+        }
+        return ShellCommand.command(all.toArray(String[]::new));
     }
 
     /** Called when the process is asked to end: Ctrl-C, SIGTERM. */

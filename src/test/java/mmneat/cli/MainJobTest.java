@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -24,6 +25,13 @@ class MainJobTest extends CommandTest {
         words[4] = "base=" + folder.resolve("xor");
         System.arraycopy(more, 0, words, 5, more.length);
         return execute(words);
+    }
+
+    @Test
+    void nextCommands_nameTheJarOfTheUsersClasses() {
+        assertThat(evolve("runs=2", "jar=" + folder)).isZero();
+        assertThat(out.toString())
+                .containsPattern(" network .*champion\\.json jar=" + Pattern.quote(folder.toString()));
     }
 
     @Test

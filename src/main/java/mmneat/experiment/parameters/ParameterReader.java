@@ -89,6 +89,7 @@ public final class ParameterReader {
         if (version.isEmpty()) {
             remarkOnGameParameters(commandLine, parameters, remarks);
         }
+        remarkOnIdleClasses(commandLine, parameters, remarks);
         parameters.as(EvolutionParameters.class).requireConsistent();
         if (!parameters.as(TugParameters.class).isChosen()) {
             List<String> idle = TugParameters.names().stream()
@@ -156,6 +157,26 @@ public final class ParameterReader {
                     + " (for Ms. Pac-Man alone; parameters of a task of your own are called " + OwnTask.PREFIX
                     + "NAME)");
         }
+    }
+
+    /** Adds a remark for each class of the user's own on the command line that is never called. */
+    private static void remarkOnIdleClasses(
+            Map<String, String> commandLine, Parameters parameters, List<String> remarks) {
+        boolean isDivisionIdle = PublishedTask.version(parameters).isPresent()
+                && parameters.integer("multitaskModes") < 2
+                && isOwnClass("pacmanMultitaskScheme", commandLine, parameters);
+        if (isDivisionIdle) {
+            remarks.add("pacmanMultitaskScheme has no effect: with method=" + parameters.text("method")
+                    + " no division chooses modules; method=MT2, MT3 or a hybrid such as H21 uses it");
+        }
+        if (!parameters.flag("mating") && isOwnClass("crossover", commandLine, parameters)) {
+            remarks.add("crossover has no effect without mating=true");
+        }
+    }
+
+    private static boolean isOwnClass(String name, Map<String, String> commandLine, Parameters parameters) {
+        return commandLine.containsKey(name)
+                && !parameters.catalogue().require(name).choices().contains(parameters.text(name));
     }
 
     /** Maximum size in bytes of a parameter file; with all parameters it has 20 kB. */

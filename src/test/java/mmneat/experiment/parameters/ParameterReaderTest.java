@@ -38,6 +38,22 @@ class ParameterReaderTest {
                 .doesNotContain("\n");
     }
 
+    @Test
+    void classOfTheUsersOwnThatIsNeverCalled_isRemarked() {
+        String division = "pacmanMultitaskScheme=" + getClass().getName();
+        assertThat(reader.read(List.of("task=blended", "method=3M", division)).remarks())
+                .containsExactly("pacmanMultitaskScheme has no effect: with method=3M no division chooses modules;"
+                        + " method=MT2, MT3 or a hybrid such as H21 uses it");
+        assertThat(reader.read(List.of("task=blended", "method=H21", division)).remarks())
+                .isEmpty();
+        assertThat(reader.read(List.of(
+                                "task=blended",
+                                "mating=false",
+                                "crossover=" + getClass().getName()))
+                        .remarks())
+                .containsExactly("crossover has no effect without mating=true");
+    }
+
     /** Only classes of the original and those that are shipped lose their package. */
     @ParameterizedTest
     @CsvSource({
