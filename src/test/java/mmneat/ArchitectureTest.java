@@ -21,6 +21,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
+import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -216,6 +217,16 @@ class ArchitectureTest {
                 .orShould()
                 .callMethod(Math.class, "random");
         rule.check(OURS);
+    }
+
+    /** NullAway checks only packages that are marked. */
+    @Test
+    void packages_areNullMarked() {
+        Set<String> marked = OURS.stream()
+                .filter(type -> type.getSimpleName().equals("package-info") && type.isAnnotatedWith(NullMarked.class))
+                .map(JavaClass::getPackageName)
+                .collect(Collectors.toSet());
+        assertThat(OURS.stream().map(JavaClass::getPackageName).distinct()).isSubsetOf(marked);
     }
 
     private static ArchRule packageUsesOnly(String subject, String[] allowed) {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.ShippedChampions;
 import mmneat.experiment.UserError;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** The option {@code champion=}: a shipped network, instead of a file or the folder of a run. */
@@ -23,7 +24,7 @@ final class ChampionChoice {
             description =
                     "Uses, instead of FILE, a champion that comes with the program, named after the task's version"
                             + " (${COMPLETION-CANDIDATES}).")
-    private String name;
+    private @Nullable String name;
 
     boolean isGiven() {
         return name != null;
@@ -36,17 +37,18 @@ final class ChampionChoice {
      * @param otherwise name of the champion to read if neither is given; if null, that is an error
      * @throws UserError if no network or more than one is chosen
      */
-    Champion read(Path file, String otherwise) {
+    Champion read(@Nullable Path file, @Nullable String otherwise) {
         if (file != null) {
             if (isGiven()) {
                 throw new UserError("both a file and champion= are given; give one of them");
             }
             return Champion.read(file);
         }
-        if (!isGiven() && otherwise == null) {
+        String chosen = name != null ? name : otherwise;
+        if (chosen == null) {
             throw new UserError("no network is given; name a run's folder or a file, or write champion="
                     + String.join("|", ShippedChampions.names()));
         }
-        return ShippedChampions.read(isGiven() ? name : otherwise);
+        return ShippedChampions.read(chosen);
     }
 }

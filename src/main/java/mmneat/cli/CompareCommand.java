@@ -8,12 +8,12 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import mmneat.analysis.ExperimentComparison;
 import mmneat.analysis.results.Experiment;
-import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.statistics.ComparisonCsv;
 import mmneat.analysis.statistics.ComparisonReport;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
 /** The command {@code compare}: compares the champions of several experiments with the paper's statistics. */
 @Command(
@@ -37,11 +37,8 @@ final class CompareCommand extends ConsoleCommand implements Runnable {
         }
     }
 
-    @Parameters(
-            arity = "0..*",
-            paramLabel = "EXPERIMENT",
-            description = "Folder of runs, or a prefix of such folders' names.")
-    private List<Path> paths;
+    @Mixin
+    private ExperimentsArgument experimentsArgument;
 
     @Option(
             names = "scores",
@@ -62,14 +59,14 @@ final class CompareCommand extends ConsoleCommand implements Runnable {
     private boolean paper;
 
     @Option(names = "csv", paramLabel = "FILE", description = "Also writes all tests in full precision to this file.")
-    private Path csv;
+    private @Nullable Path csv;
 
     @Option(names = "latex", paramLabel = "FILE", description = "Also writes the tables in LaTeX to this file.")
-    private Path latex;
+    private @Nullable Path latex;
 
     @Override
     public void run() {
-        List<Experiment> experiments = ExperimentFinder.find(requireExperiments(paths));
+        List<Experiment> experiments = experimentsArgument.find(this);
         List<ExperimentComparison> comparisons = ExperimentComparison.ofEachVersion(
                 experiments, ExperimentComparison.Scores.valueOf(scores.toUpperCase(Locale.ROOT)), paper);
         comparisons.forEach(comparison -> print(comparison, comparisons.size() > 1));

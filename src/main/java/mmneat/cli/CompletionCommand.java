@@ -2,6 +2,7 @@ package mmneat.cli;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.StreamSupport;
 import mmneat.experiment.parameters.Parameter;
 import mmneat.experiment.parameters.ParameterCatalogue;
@@ -90,7 +91,8 @@ final class CompletionCommand extends ConsoleCommand implements Runnable {
     }
 
     private static CommandSpec spec(CommandLine main, String command) {
-        return main.getSubcommands().get(command).getCommandSpec();
+        return Objects.requireNonNull(main.getSubcommands().get(command), command)
+                .getCommandSpec();
     }
 
     private static void appendCase(StringBuilder script, String pattern, List<String> words) {

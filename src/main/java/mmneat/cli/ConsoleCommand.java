@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import mmneat.experiment.UserError;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,7 +62,7 @@ abstract class ConsoleCommand {
     }
 
     /** Returns the folders of experiments, and checks that there is at least one. */
-    final List<Path> requireExperiments(List<Path> experiments) {
+    final List<Path> requireExperiments(@Nullable List<Path> experiments) {
         if (experiments == null || experiments.isEmpty()) {
             throw new UserError(
                     "no experiment is given; write mmneat " + command.name() + " results/blended, for example");

@@ -21,6 +21,7 @@ import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
 import mmneat.experiment.UserError;
 import mmneat.neat.ModuleLayout;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -50,7 +51,7 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
             arity = "0..*",
             paramLabel = "EXPERIMENT|FILE",
             description = "Folder of runs, a prefix of such folders' names, or file of a network.")
-    private List<Path> paths;
+    private @Nullable List<Path> paths;
 
     @Mixin
     private ChampionChoice choice;
@@ -81,7 +82,7 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
             paramLabel = "N",
             description = "Games played at the same time (default: the number of cores).")
     @Range(min = 1, max = 4096)
-    private Integer threads;
+    private @Nullable Integer threads;
 
     @Option(
             names = "report",

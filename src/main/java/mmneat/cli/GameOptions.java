@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
+import org.jspecify.annotations.Nullable;
 import pacman.game.GameRules;
 import pacman.game.GhostLocations;
 import pacman.maze.MazeTables;
@@ -55,20 +56,20 @@ final class GameOptions {
             completionCandidates = RuleNames.class,
             description = "One of ${COMPLETION-CANDIDATES} (default: those of the recording, or " + DEFAULT_RULES
                     + ": release 6.2 of the competition of 2012).")
-    private String rules;
+    private @Nullable String rules;
 
     @Option(
             names = "maze",
             paramLabel = "FILE",
             description = "Maze of all levels: a, b, c or d, or the file of a drawing.")
-    private Path maze;
+    private @Nullable Path maze;
 
     @Option(
             names = "ghostLocations",
             paramLabel = "FILE",
             description = "Recorded ghost locations for rules=" + ISOLATED_GHOSTS
                     + " (default: those that come with the program).")
-    private Path ghostLocations;
+    private @Nullable Path ghostLocations;
 
     @Option(
             names = "powerPill",
@@ -85,13 +86,14 @@ final class GameOptions {
                     command, name, name().equals(ISOLATED_GHOSTS), "it is used only with rules=" + ISOLATED_GHOSTS);
         }
         GameRules chosen = rules == null ? otherwise : named(rules);
-        if (maze == null) {
+        Path own = maze;
+        if (own == null) {
             return chosen;
         }
         if (chosen.ghosts().ghostLocations() != null) {
-            return chosen.withMazes(mazes -> mazes.withOnlyMaze(recordedMaze(maze.toString())));
+            return chosen.withMazes(mazes -> mazes.withOnlyMaze(recordedMaze(own.toString())));
         }
-        return chosen.withMazes(mazes -> mazes.withMazes(mazes(maze)));
+        return chosen.withMazes(mazes -> mazes.withMazes(mazes(own)));
     }
 
     /**

@@ -9,6 +9,7 @@ import mmneat.analysis.evaluation.Rules;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -30,7 +31,7 @@ final class GhostsOption {
             description =
                     "Recorded ghost locations, for the isolated version of the task (default: those of the run, or those"
                             + " that come with the program).")
-    private Path file;
+    private @Nullable Path file;
 
     /** Returns the settings with which a champion plays. */
     MsPacManTaskSettings settings(Champion champion, TaskOption task, Rules rules) {

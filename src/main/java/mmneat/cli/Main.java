@@ -13,6 +13,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -224,10 +225,10 @@ public final class Main implements Callable<Integer> {
     /** Returns the one-line message of a user's error; empty for a bug of the program. */
     private static Optional<String> mistake(Exception failure) {
         if (failure instanceof UserError) {
-            return Optional.of(failure.getMessage());
+            return Optional.ofNullable(failure.getMessage());
         }
         if (failure instanceof UncheckedIOException unchecked) {
-            return Optional.of(FileErrors.sentence(unchecked.getCause()));
+            return Optional.of(FileErrors.sentence(Objects.requireNonNull(unchecked.getCause())));
         }
         if (failure instanceof FileSystemException file) {
             return Optional.of(FileErrors.sentence(file));

@@ -16,6 +16,7 @@ import mmneat.neat.io.NetworkDot;
 import mmneat.neat.io.NetworkGraphml;
 import mmneat.neat.io.NetworkLabels;
 import mmneat.neat.io.NetworkSvg;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -59,7 +60,7 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
     }
 
     @Parameters(arity = "0..1", paramLabel = "FILE", description = "Folder of a run, or file of a network.")
-    private Path file;
+    private @Nullable Path file;
 
     @Mixin
     private ChampionChoice choice;
@@ -74,7 +75,7 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
             description =
                     "Version of the task whose sensors name the inputs: ${COMPLETION-CANDIDATES}; with none they are"
                             + " numbered (default: that of the run, or the one that the number of inputs fits).")
-    private String task;
+    private @Nullable String task;
 
     @Option(
             names = "format",
@@ -83,14 +84,14 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
             description =
                     "svg: a picture; dot: a graph for Graphviz; graphml: a graph for other programs; json: this"
                             + " program's format; xml: the original's format (default: by the ending of out=; without out=, svg).")
-    private String format;
+    private @Nullable String format;
 
     @Option(
             names = "out",
             paramLabel = "FILE",
             description = "File to write, or - for standard output (default: named after network and format, in this"
                     + " folder).")
-    private Path out;
+    private @Nullable Path out;
 
     @Override
     public void run() {

@@ -15,6 +15,7 @@ import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.NetworkPacMan;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ModuleDivisions;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 
@@ -80,7 +81,7 @@ final class NetworkPlayer {
         }
     }
 
-    private static Supplier<Controller<MOVE>> players(Champion champion, ModuleDivision division, long seed) {
+    private static Supplier<Controller<MOVE>> players(Champion champion, @Nullable ModuleDivision division, long seed) {
         if (champion.parametersFile().isEmpty()) {
             return () -> NetworkPacMan.published(champion.genotype(), division, seed);
         }

@@ -20,6 +20,7 @@ import mmneat.contest.Timing;
 import mmneat.contest.entry.ControllerFactory;
 import mmneat.contest.entry.ControllerLoader;
 import mmneat.experiment.UserError;
+import org.jspecify.annotations.Nullable;
 import pacman.Recording;
 import pacman.controllers.HumanController;
 import pacman.controllers.KeyBoardInput;
@@ -70,7 +71,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             paramLabel = "NAME",
             description =
                     "Division of the task for a multitask network, such as AnyPills (default: that of full games).")
-    private String division;
+    private @Nullable String division;
 
     @Option(
             names = "ghosts",
@@ -84,19 +85,19 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             paramLabel = "PATH",
             description = "Jars and class folders with controllers of your own, for both sides, separated by"
                     + " ${sys:path.separator}")
-    private String classPath;
+    private @Nullable String classPath;
 
     @Option(
             names = "pacmanClasspath",
             paramLabel = "PATH",
             description = "As classpath=, for Ms. Pac-Man's controller only; its class must be found there.")
-    private String pacManClassPath;
+    private @Nullable String pacManClassPath;
 
     @Option(
             names = "ghostsClasspath",
             paramLabel = "PATH",
             description = "As classpath=, for the ghosts' controller only; its class must be found there.")
-    private String ghostsClassPath;
+    private @Nullable String ghostsClassPath;
 
     @Option(
             names = "games",
@@ -130,7 +131,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             paramLabel = "SECONDS",
             description = "Seconds after which an untimed game fails if a controller has not answered (default: none).")
     @Range(min = 1)
-    private Integer moveLimit;
+    private @Nullable Integer moveLimit;
 
     @Option(
             names = "onFailure",
@@ -165,7 +166,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
             names = "record",
             paramLabel = "FILE",
             description = "Writes a recording of the game, for the command replay.")
-    private Path record;
+    private @Nullable Path record;
 
     @Mixin
     private GameOptions game;
@@ -191,7 +192,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
         ContestResult result = new Contest(settings, notes())
                 .play(recorder == null ? state -> {} : recorder::add, soFar -> report(settings, soFar, start));
         report(settings, result, start);
-        if (recorder != null && !recorder.text().isEmpty()) {
+        if (record != null && recorder != null && !recorder.text().isEmpty()) {
             OutputFile.write(record, recorder.text() + System.lineSeparator());
         }
         requireResult(settings, result);
@@ -238,7 +239,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
     }
 
     private static <T> Contestant<T> contestant(
-            ControllerFactory<T> factory, String option, String value, String ownClassPath) {
+            ControllerFactory<T> factory, String option, String value, @Nullable String ownClassPath) {
         if (ownClassPath != null && !places(ownClassPath).contains(Path.of(factory.origin()))) {
             throw new UserError(option + "=" + value + ": the class is not in " + ownClassPath
                     + " but elsewhere; leave out " + option + "Classpath= to use it");
@@ -247,7 +248,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
     }
 
     /** Returns the loader of one side, which searches the side's class path first, then the common one. */
-    private ControllerLoader loader(String option, String ownClassPath) {
+    private ControllerLoader loader(String option, @Nullable String ownClassPath) {
         List<Path> both = places(classPath);
         List<Path> own = places(ownClassPath);
         return new ControllerLoader(
@@ -255,7 +256,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
                 Stream.concat(own.stream(), both.stream()).toList());
     }
 
-    private static List<Path> places(String classPath) {
+    private static List<Path> places(@Nullable String classPath) {
         return Stream.ofNullable(classPath)
                 .flatMap(text -> Stream.of(text.split(File.pathSeparator)))
                 .filter(place -> !place.isBlank())

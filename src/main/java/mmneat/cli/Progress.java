@@ -9,6 +9,7 @@ import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunMonitor;
 import mmneat.experiment.run.RunMonitor.Phase;
 import mmneat.experiment.run.RunMonitor.Snapshot;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The progress of an experiment: one line per active run and one for all runs, which a {@link ProgressTicker} shows.
@@ -21,7 +22,7 @@ final class Progress {
     private final List<RunMonitor> monitors;
 
     /** Null if no progress is shown. */
-    private ProgressTicker ticker;
+    private @Nullable ProgressTicker ticker;
 
     private double portionAtStart = Double.NaN;
     private long startNanos;

@@ -13,6 +13,7 @@ import mmneat.analysis.recording.GhostLocationRecorder;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -52,7 +53,7 @@ final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
             arity = "0..1",
             paramLabel = "FILE",
             description = "Folder of a run, or file of a network (default: champion=blended).")
-    private Path file;
+    private @Nullable Path file;
 
     @Mixin
     private ChampionChoice choice;

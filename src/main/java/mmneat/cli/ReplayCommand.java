@@ -8,6 +8,7 @@ import mmneat.analysis.replay.ReplayPage;
 import mmneat.analysis.replay.ReplayTitle;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
+import org.jspecify.annotations.Nullable;
 import pacman.Executor;
 import pacman.Recording;
 import pacman.game.Constants;
@@ -39,7 +40,7 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
     private static final int LONGEST_DELAY_MILLISECONDS = 60_000;
 
     @Parameters(arity = "0..1", paramLabel = "FILE", description = "The recording.")
-    private Path file;
+    private @Nullable Path file;
 
     @Option(
             names = "delay",
@@ -61,7 +62,7 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
             names = "out",
             paramLabel = "FILE",
             description = "Writes the game as a web page (.html) instead of showing it; needs no display.")
-    private Path out;
+    private @Nullable Path out;
 
     @Mixin
     private GameOptions game;

@@ -18,18 +18,17 @@ import mmneat.analysis.replay.ReplayPage;
 import mmneat.analysis.replay.ReplayTitle;
 import mmneat.analysis.report.ExperimentReport;
 import mmneat.analysis.results.Experiment;
-import mmneat.analysis.results.ExperimentFinder;
 import mmneat.analysis.results.MethodName;
 import mmneat.analysis.results.PublishedResults;
 import mmneat.analysis.results.RunResult;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
+import org.jspecify.annotations.Nullable;
 import pacman.game.MachineFonts;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
 /** The command {@code report}: writes a page about a set of experiments, with figures and replays. */
 @Command(
@@ -53,11 +52,8 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
         }
     }
 
-    @Parameters(
-            arity = "0..*",
-            paramLabel = "EXPERIMENT",
-            description = "Folder of runs, or a prefix of such folders' names.")
-    private List<Path> paths;
+    @Mixin
+    private ExperimentsArgument experimentsArgument;
 
     @Option(
             names = "out",
@@ -70,10 +66,10 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
             names = "title",
             paramLabel = "TEXT",
             description = "Heading of the page (default: the experiments' names).")
-    private String title;
+    private @Nullable String title;
 
     @Option(names = "figures", paramLabel = "FOLDER", description = "Also writes the figures there, as SVG and PNG.")
-    private Path figuresFolder;
+    private @Nullable Path figuresFolder;
 
     @Option(
             names = "replays",
@@ -95,17 +91,18 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
 
     @Override
     public void run() {
-        List<Experiment> experiments = ExperimentFinder.find(requireExperiments(paths));
+        List<Experiment> experiments = experimentsArgument.find(this);
         boolean published = experiments.stream().anyMatch(ReportCommand::isPublished);
         ExperimentReport report = new ExperimentReport(
                 experiments,
                 ExperimentComparison.ofEachVersion(experiments, ExperimentComparison.Scores.AUTO, published),
                 jar.file());
         List<Figure> figures = report.figures();
-        if (figuresFolder != null) {
+        Path folder = figuresFolder;
+        if (folder != null) {
             for (Figure figure : figures) {
-                OutputFile.write(figuresFolder.resolve(figure.name() + ".svg"), figure.svg());
-                figure.png().ifPresent(png -> OutputFile.write(figuresFolder.resolve(figure.name() + ".png"), png));
+                OutputFile.write(folder.resolve(figure.name() + ".svg"), figure.svg());
+                figure.png().ifPresent(png -> OutputFile.write(folder.resolve(figure.name() + ".png"), png));
             }
         }
         Map<Path, String> links = replays(experiments);

@@ -3,6 +3,7 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
@@ -10,6 +11,7 @@ import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunMonitor.Phase;
 import mmneat.experiment.run.RunOutcome;
 import mmneat.experiment.store.RunLayout;
+import mmneat.experiment.store.RunStatus;
 
 /** The scores of an experiment's complete runs, best run first. */
 final class ResultTable {
@@ -40,7 +42,7 @@ final class ResultTable {
             }
             // A run may have more generations than now requested.
             List<Integer> generations = complete.stream()
-                    .map(outcome -> outcome.status().generation())
+                    .map(outcome -> status(outcome).generation())
                     .distinct()
                     .toList();
             if (generations.size() == 1 && generations.get(0) > 0) {
@@ -64,14 +66,18 @@ final class ResultTable {
     }
 
     private static double best(RunOutcome outcome) {
-        return outcome.status().best();
+        return status(outcome).best();
+    }
+
+    private static RunStatus status(RunOutcome complete) {
+        return Objects.requireNonNull(complete.status(), "a complete run has a status");
     }
 
     private static void addRun(TextTable table, RunOutcome outcome) {
         table.row(
                 String.valueOf(outcome.run().number()),
-                Numbers.score(outcome.status().best()),
-                Numbers.score(outcome.status().median()),
+                Numbers.score(status(outcome).best()),
+                Numbers.score(status(outcome).median()),
                 outcome.run().directory().toString());
     }
 }

@@ -5,6 +5,7 @@ import java.io.OutputStream;
 import java.nio.charset.Charset;
 import java.util.Locale;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Standard output that remembers the first failure of a write.
@@ -15,7 +16,7 @@ import java.util.Optional;
 final class StandardOutput extends OutputStream {
 
     private final OutputStream target;
-    private IOException failure;
+    private @Nullable IOException failure;
 
     StandardOutput(OutputStream target) {
         this.target = target;

@@ -105,7 +105,7 @@ final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
             }
         }
         experiment.best().ifPresent(run -> summary.append("; best of the last generation ")
-                .append(Numbers.score(run.status().best()))
+                .append(Numbers.score(run.bestScore()))
                 .append(" (run ")
                 .append(run.number())
                 .append("), median ")
@@ -116,7 +116,7 @@ final class StatusCommand extends ConsoleCommand implements Callable<Integer> {
     private static String details(RunView run, Instant now) {
         return switch (run.state()) {
             case RUNNING -> running(run, now);
-            case FAILED -> String.valueOf(run.status().message());
+            case FAILED -> run.failure();
             case INTERRUPTED -> "to continue, give the same command again";
             case FINISHED, WAITING -> "";
         };

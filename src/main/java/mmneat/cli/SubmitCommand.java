@@ -22,6 +22,7 @@ import mmneat.experiment.cluster.SlurmSubmission;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.run.ExperimentView;
 import mmneat.experiment.run.Study;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
@@ -95,16 +96,16 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
     private String time;
 
     @Option(names = "partition", paramLabel = "NAME", description = "Slurm: the partition.")
-    private String partition;
+    private @Nullable String partition;
 
     @Option(names = "account", paramLabel = "NAME", description = "Slurm: the account.")
-    private String account;
+    private @Nullable String account;
 
     @Option(names = "qos", paramLabel = "NAME", description = "Slurm: the quality of service.")
-    private String qos;
+    private @Nullable String qos;
 
     @Option(names = "constraint", paramLabel = "TEXT", description = "Slurm: features that the machines must have.")
-    private String constraint;
+    private @Nullable String constraint;
 
     @Option(
             names = "image",
@@ -241,7 +242,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
         return ids;
     }
 
-    private static void put(Map<String, String> options, String name, String value) {
+    private static void put(Map<String, String> options, String name, @Nullable String value) {
         if (value != null) {
             options.put(name, value);
         }

@@ -3,6 +3,7 @@ package mmneat.cli;
 import java.util.ArrayList;
 import java.util.Optional;
 import mmneat.mspacman.TaskVersion;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** The option {@code task=}: the version of the task that a champion plays. */
@@ -21,7 +22,7 @@ final class TaskOption {
             completionCandidates = Versions.class,
             description = "Version of the task: ${COMPLETION-CANDIDATES} (default: that of the run, or the one that the"
                     + " network's inputs fit).")
-    private String version;
+    private @Nullable String version;
 
     Optional<TaskVersion> version() {
         return Optional.ofNullable(version).flatMap(TaskVersion::labelled);

@@ -22,6 +22,7 @@ import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
+import org.jspecify.annotations.Nullable;
 import pacman.controllers.Controller;
 import pacman.game.Constants.MOVE;
 import picocli.CommandLine.Command;
@@ -64,7 +65,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
             paramLabel = "TASK",
             completionCandidates = TaskOption.Versions.class,
             description = "Version of the game: ${COMPLETION-CANDIDATES} (default: all three, one after the other).")
-    private String task;
+    private @Nullable String task;
 
     @Option(
             names = "predicates",
@@ -72,14 +73,14 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
             description =
                     "Two or more predicates, or one division, such as AnyGhostEdible (default: pills,noPills in the"
                             + " isolated version, threats,edible in the others).")
-    private String predicates;
+    private @Nullable String predicates;
 
     @Option(
             names = "players",
             paramLabel = "NAME,...",
             description = "Controllers, folders of runs, files with evolved networks, or champion:NAME"
                     + " (default: the champion of the version).")
-    private String players;
+    private @Nullable String players;
 
     @Option(
             names = "games",
@@ -104,7 +105,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
     private JarOption jar;
 
     @Option(names = "out", paramLabel = "FILE", description = "Also writes one line per game to this CSV file.")
-    private Path out;
+    private @Nullable Path out;
 
     @Override
     public void run() {

@@ -17,6 +17,7 @@ import mmneat.analysis.replay.ReplayPage;
 import mmneat.analysis.replay.ReplayTitle;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants;
 import pacman.game.MachineFonts;
 import picocli.CommandLine.Command;
@@ -45,7 +46,7 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
     private static final int LONGEST_DELAY_MILLISECONDS = 60_000;
 
     @Parameters(arity = "0..1", paramLabel = "FILE", description = "Folder of a run, or file of a network.")
-    private Path file;
+    private @Nullable Path file;
 
     @Mixin
     private ChampionChoice choice;
@@ -56,7 +57,7 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
             description =
                     "The page to write, or an animated picture if the name ends in .gif (default: named after task"
                             + " and network, with .html, in this folder).")
-    private Path out;
+    private @Nullable Path out;
 
     @Option(
             names = "window",

@@ -6,4 +6,7 @@
  * {@link mmneat.experiment} explains the terms: the original, the paper, run, experiment, method, task and its
  * versions, trial, champion.
  */
+@NullMarked
 package mmneat.cli;
+
+import org.jspecify.annotations.NullMarked;

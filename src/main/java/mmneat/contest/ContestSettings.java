@@ -2,6 +2,7 @@ package mmneat.contest;
 
 import java.time.Duration;
 import java.util.EnumMap;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Constants.GHOST;
 import pacman.game.Constants.MOVE;
 import pacman.game.GameRules;
@@ -28,7 +29,7 @@ public record ContestSettings(
         int games,
         long seed,
         Timing timing,
-        Duration moveLimit,
+        @Nullable Duration moveLimit,
         boolean isShown,
         OnFailure onFailure,
         boolean isRepeated) {}

@@ -1,6 +1,7 @@
 package mmneat.contest;
 
 import java.lang.reflect.UndeclaredThrowableException;
+import java.time.Duration;
 import java.util.EnumMap;
 import java.util.Objects;
 import java.util.Optional;
@@ -69,7 +70,7 @@ final class GamePlay {
             Optional<TimedReport> report = isLimited ? playLimited(game, afterStep) : playToTheEnd(game, afterStep);
             return finished(game, number, report);
         } catch (NoAnswer late) {
-            String what = "did not answer for " + settings.moveLimit().toSeconds() + " s";
+            String what = "did not answer for " + moveLimit().toSeconds() + " s";
             return failed(game, number, late.controller, what, null);
         } catch (OutOfMemoryError failure) {
             reserve = null;
@@ -128,9 +129,8 @@ final class GamePlay {
                 "game");
         player.setDaemon(true);
         player.start();
-        long limit = settings.moveLimit().toNanos();
-        long look = Math.max(
-                1, Math.min(LONGEST_LOOK_MILLISECONDS, settings.moveLimit().toMillis() / 10));
+        long limit = moveLimit().toNanos();
+        long look = Math.max(1, Math.min(LONGEST_LOOK_MILLISECONDS, moveLimit().toMillis() / 10));
         int time = -1;
         long changed = System.nanoTime();
         while (true) {
@@ -155,6 +155,10 @@ final class GamePlay {
                 throw new UserError("interrupted", e);
             }
         }
+    }
+
+    private Duration moveLimit() {
+        return Objects.requireNonNull(settings.moveLimit(), "only limited games ask for the limit");
     }
 
     private static RuntimeException unchecked(Throwable failure) {

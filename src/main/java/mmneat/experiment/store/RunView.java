@@ -88,6 +88,11 @@ public record RunView(
         return status == null ? Double.NaN : status.best();
     }
 
+    /** Why the run failed; "null" if that was not written. */
+    public String failure() {
+        return String.valueOf(status == null ? null : status.message());
+    }
+
     private static State restingState(RunStatus status) {
         return switch (status.state()) {
             case FINISHED -> status.generation() >= status.generations() ? State.FINISHED : State.INTERRUPTED;
