@@ -25,6 +25,9 @@ class ExamplesTest {
     private static final Path EXAMPLES = PROJECT.resolve("src/examples/java");
     private static final int MOST_LINES = 25;
 
+    /** Evolution with modules, selection alone, a controller, a sensor and a division. */
+    private static final List<String> FIRST_PROGRAMS = List.of("Xor", "Zdt1", "Careful", "NearExit", "LateGame");
+
     /** Surefire starts the tests from a jar that refers to the class path. */
     private static final String CLASS_PATH =
             System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
@@ -72,6 +75,11 @@ class ExamplesTest {
             assertThat(readme + others).contains("```java\n" + code + "```\n");
         }
         assertThat(readme).as("a first program on the first page").contains("```java\n");
+        assertThat(readme)
+                .as("the first programs, each with the command that runs it")
+                .contains(FIRST_PROGRAMS.stream()
+                        .map(name -> "`scripts/example " + name + "`")
+                        .toList());
     }
 
     private static String document(String name) throws IOException {
