@@ -10,6 +10,7 @@ import mmneat.analysis.ExperimentComparison;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.statistics.ComparisonCsv;
 import mmneat.analysis.statistics.ComparisonReport;
+import mmneat.cli.output.OutputFile;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.StreamSupport;
+import mmneat.cli.options.ArgumentSyntax;
+import mmneat.cli.options.TaskOption;
 import mmneat.experiment.parameters.Parameter;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import picocli.CommandLine;

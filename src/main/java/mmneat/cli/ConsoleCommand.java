@@ -3,6 +3,7 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import mmneat.cli.options.OptionValues;
 import mmneat.experiment.UserError;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
@@ -34,31 +35,12 @@ abstract class ConsoleCommand {
 
     /** Whether the option was given on the command line. */
     final boolean isGiven(String option) {
-        return isGiven(command, option);
+        return OptionValues.isGiven(command, option);
     }
 
-    /** Whether the option was given to this command. */
-    static boolean isGiven(CommandSpec command, String option) {
-        return command.commandLine().getParseResult().hasMatchedOption(option);
-    }
-
-    /** Refuses an option where it has no effect; see {@link #requireEffect(CommandSpec, String, boolean, String)}. */
+    /** Refuses an option where it has no effect; see {@link OptionValues#requireEffect}. */
     final void requireEffect(String option, boolean hasEffect, String reason) {
-        requireEffect(command, option, hasEffect, reason);
-    }
-
-    /**
-     * Refuses an option where it has no effect.
-     *
-     * @param hasEffect whether it has an effect
-     * @param reason what the option needs, for the message
-     * @throws UserError if the option was given and has no effect
-     */
-    static void requireEffect(CommandSpec command, String option, boolean hasEffect, String reason) {
-        if (!hasEffect && isGiven(command, option)) {
-            String value = command.findOption(option).originalStringValues().get(0);
-            throw new UserError(option + "=" + value + " has no effect here: " + reason + "; leave it out");
-        }
+        OptionValues.requireEffect(command, option, hasEffect, reason);
     }
 
     /** Returns the folders of experiments, and checks that there is at least one. */

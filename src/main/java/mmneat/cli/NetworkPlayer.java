@@ -9,6 +9,8 @@ import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.evaluation.PlayerSettings;
 import mmneat.analysis.evaluation.Rules;
 import mmneat.analysis.evaluation.ShippedChampions;
+import mmneat.cli.options.JarOption;
+import mmneat.cli.options.OptionValues;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.MsPacManTaskSettings;

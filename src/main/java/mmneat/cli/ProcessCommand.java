@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
+import mmneat.cli.options.ArgumentSyntax;
 import mmneat.experiment.UserError;
 import mmneat.experiment.original.RunSummaries;
 import mmneat.experiment.parameters.ParameterCatalogue;

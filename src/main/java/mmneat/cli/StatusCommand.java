@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import mmneat.analysis.statistics.Numbers;
 import mmneat.analysis.statistics.TextTable;
+import mmneat.cli.output.QuantityText;
 import mmneat.experiment.UserError;
 import mmneat.experiment.run.ExperimentView;
 import mmneat.experiment.store.RunStatus;

@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.options;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** The option {@code champion=}: a shipped network, instead of a file or the folder of a run. */
-final class ChampionChoice {
+public final class ChampionChoice {
 
     private static final class Names extends ArrayList<String> {
         Names() {
@@ -26,7 +26,7 @@ final class ChampionChoice {
                             + " (${COMPLETION-CANDIDATES}).")
     private @Nullable String name;
 
-    boolean isGiven() {
+    public boolean isGiven() {
         return name != null;
     }
 
@@ -37,7 +37,7 @@ final class ChampionChoice {
      * @param otherwise name of the champion to read if neither is given; if null, that is an error
      * @throws UserError if no network or more than one is chosen
      */
-    Champion read(@Nullable Path file, @Nullable String otherwise) {
+    public Champion read(@Nullable Path file, @Nullable String otherwise) {
         if (file != null) {
             if (isGiven()) {
                 throw new UserError("both a file and champion= are given; give one of them");

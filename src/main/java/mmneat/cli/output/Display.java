@@ -1,11 +1,11 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 
 /** Access to the screen, for the few commands that open a window. Pictures are drawn without a screen. */
-final class Display {
+public final class Display {
 
     private static final String HEADLESS = "java.awt.headless";
 
@@ -15,12 +15,12 @@ final class Display {
      * Makes Java draw without a screen. Otherwise a configured screen that cannot be reached, for example after a lost
      * connection, would end the program.
      */
-    static void drawWithoutScreen() {
+    public static void drawWithoutScreen() {
         System.setProperty(HEADLESS, "true");
     }
 
     /** Whether a window can be opened. */
-    static boolean isThere() {
+    public static boolean isThere() {
         try {
             return !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;

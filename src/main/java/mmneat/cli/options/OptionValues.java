@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.options;
 
 import java.lang.reflect.AnnotatedElement;
 import java.nio.file.InvalidPathException;
@@ -11,6 +11,7 @@ import mmneat.experiment.NearestName;
 import mmneat.experiment.UserError;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
@@ -22,12 +23,12 @@ import picocli.CommandLine.TypeConversionException;
  * <p>Numbers have a {@link Range}. Options of type String with completion candidates accept these values only, in upper
  * or lower case.
  */
-final class OptionValues {
+public final class OptionValues {
 
     private OptionValues() {}
 
     /** Registers the parsers of values. */
-    static void register(CommandLine line) {
+    public static void register(CommandLine line) {
         line.registerConverter(Integer.class, text -> Integer.valueOf(digits(text)));
         line.registerConverter(int.class, text -> Integer.valueOf(digits(text)));
         line.registerConverter(Long.class, text -> Long.valueOf(digits(text)));
@@ -66,7 +67,7 @@ final class OptionValues {
      *
      * @throws UserError if a value is not allowed
      */
-    static void check(ParseResult command) {
+    public static void check(ParseResult command) {
         for (OptionSpec option : command.matchedOptions()) {
             String text = option.originalStringValues().isEmpty()
                     ? ""
@@ -89,7 +90,7 @@ final class OptionValues {
     }
 
     /** Returns the error of an option's value; empty if picocli refused the arguments for another reason. */
-    static Optional<UserError> refusal(ParameterException mistake) {
+    public static Optional<UserError> refusal(ParameterException mistake) {
         if (mistake.getCause() instanceof UserError error) {
             return Optional.of(error);
         }
@@ -102,7 +103,7 @@ final class OptionValues {
     }
 
     /** Returns the error for a value that is not allowed. */
-    static UserError badValue(String name, String value, String allowed) {
+    public static UserError badValue(String name, String value, String allowed) {
         return new UserError(name + "=" + value + ": must be " + allowed);
     }
 
@@ -141,5 +142,24 @@ final class OptionValues {
         return option.userObject() instanceof AnnotatedElement field
                 ? Optional.ofNullable(field.getAnnotation(Range.class))
                 : Optional.empty();
+    }
+
+    /** Whether an option was given to a command. */
+    public static boolean isGiven(CommandSpec command, String option) {
+        return command.commandLine().getParseResult().hasMatchedOption(option);
+    }
+
+    /**
+     * Refuses an option where it has no effect.
+     *
+     * @param hasEffect whether it has an effect
+     * @param reason what the option needs, for the message
+     * @throws UserError if the option was given and has no effect
+     */
+    public static void requireEffect(CommandSpec command, String option, boolean hasEffect, String reason) {
+        if (!hasEffect && isGiven(command, option)) {
+            String value = command.findOption(option).originalStringValues().get(0);
+            throw new UserError(option + "=" + value + " has no effect here: " + reason + "; leave it out");
+        }
     }
 }

@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.options;
 
 import java.util.ArrayList;
 import mmneat.analysis.evaluation.Rules;
@@ -8,7 +8,7 @@ import picocli.CommandLine.Option;
  * The option {@code rules=} of the commands that evaluate or show champions: the rules of the champion's task, or these
  * rules with more lives ({@link Rules}). The commands {@code play} and {@code replay} have {@link GameOptions} instead.
  */
-final class RulesOption {
+public final class RulesOption {
 
     private static final class Labels extends ArrayList<String> {
         Labels() {
@@ -26,7 +26,7 @@ final class RulesOption {
                             + " in evolution (default: ${DEFAULT-VALUE}).")
     private String label;
 
-    Rules rules() {
+    public Rules rules() {
         return Rules.of(label);
     }
 }

@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import java.io.PrintWriter;
 import java.util.Comparator;
@@ -14,19 +14,19 @@ import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.RunStatus;
 
 /** The scores of an experiment's complete runs, best run first. */
-final class ResultTable {
+public final class ResultTable {
 
     private static final int MOST_LINES = 40;
 
     private final ExperimentPlan plan;
     private final List<RunOutcome> outcomes;
 
-    ResultTable(ExperimentPlan plan, List<RunOutcome> outcomes) {
+    public ResultTable(ExperimentPlan plan, List<RunOutcome> outcomes) {
         this.plan = plan;
         this.outcomes = outcomes;
     }
 
-    void print(PrintWriter out) {
+    public void print(PrintWriter out) {
         List<RunOutcome> complete = outcomes.stream()
                 .filter(RunOutcome::isComplete)
                 .sorted(Comparator.comparingDouble((RunOutcome outcome) -> -best(outcome)))
@@ -61,7 +61,7 @@ final class ResultTable {
     }
 
     /** Returns the complete run with the best champion. */
-    Optional<RunOutcome> best() {
+    public Optional<RunOutcome> best() {
         return outcomes.stream().filter(RunOutcome::isComplete).max(Comparator.comparingDouble(ResultTable::best));
     }
 

@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import java.io.PrintWriter;
 import java.time.Duration;
@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The progress of an experiment: one line per active run and one for all runs, which a {@link ProgressTicker} shows.
  */
-final class Progress {
+public final class Progress {
 
     /** Maximum number of active runs that have their own line. */
     private static final int MOST_LINES = 16;
@@ -32,7 +32,7 @@ final class Progress {
     }
 
     /** Starts to show progress, unless {@code quiet}. */
-    static Progress start(boolean quiet, PrintWriter out, ExperimentPlan plan, List<RunMonitor> monitors) {
+    public static Progress start(boolean quiet, PrintWriter out, ExperimentPlan plan, List<RunMonitor> monitors) {
         Progress progress = new Progress(monitors);
         if (!quiet) {
             out.println(plan.name() + ": "
@@ -47,7 +47,7 @@ final class Progress {
     }
 
     /** Returns one line per active run, and one for all. */
-    List<String> lines() {
+    public List<String> lines() {
         List<String> lines = new ArrayList<>();
         List<Snapshot> snapshots = new ArrayList<>();
         double portion = 0;
@@ -76,7 +76,7 @@ final class Progress {
     }
 
     /** Returns how many runs are complete, and how many this process will not complete. */
-    static String counts(List<Snapshot> runs) {
+    public static String counts(List<Snapshot> runs) {
         return count(runs, Phase.FINISHED) + count(runs, Phase.ALREADY_FINISHED) + " of " + runs.size() + " done"
                 + others(runs, Phase.IN_USE, "in use elsewhere")
                 + others(runs, Phase.REFUSED, "refused")
@@ -121,7 +121,7 @@ final class Progress {
     }
 
     /** Stops showing progress. */
-    void close() {
+    public void close() {
         if (ticker != null) {
             ticker.close();
         }

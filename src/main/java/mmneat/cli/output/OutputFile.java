@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -9,7 +9,7 @@ import mmneat.experiment.UserError;
 import mmneat.experiment.store.DurableFiles;
 
 /** Writes files that the user named. */
-final class OutputFile {
+public final class OutputFile {
 
     private OutputFile() {}
 
@@ -18,7 +18,7 @@ final class OutputFile {
      *
      * @param word the option with this file, for messages
      */
-    static void require(String word, Path file) {
+    public static void require(String word, Path file) {
         if (Files.isDirectory(file)) {
             throw new UserError(word + "=" + file + ": this is a folder; name a file in it");
         }
@@ -33,12 +33,12 @@ final class OutputFile {
     }
 
     /** Writes a text, and makes missing folders. */
-    static void write(Path file, String text) {
+    public static void write(Path file, String text) {
         write(file, text.getBytes(StandardCharsets.UTF_8));
     }
 
     /** Writes bytes, and makes missing folders. If that fails, an existing file stays unchanged. */
-    static void write(Path file, byte[] content) {
+    public static void write(Path file, byte[] content) {
         try {
             DurableFiles.writeNamed(file, content);
         } catch (IOException e) {

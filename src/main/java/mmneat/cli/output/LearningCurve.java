@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -21,7 +21,7 @@ import mmneat.experiment.store.DurableFiles;
  * Writer of the learning curve that the main job ({@link MainJob}) leaves in the folder of an experiment, of any task.
  * It converts the outcomes of the runs for {@link LearningCurveFigure}, which draws, and saves the files.
  */
-final class LearningCurve {
+public final class LearningCurve {
 
     private LearningCurve() {}
 
@@ -31,7 +31,7 @@ final class LearningCurve {
      *
      * @return the SVG file; empty if no run is complete
      */
-    static Optional<Path> write(ExperimentPlan plan, List<RunOutcome> outcomes) throws IOException {
+    public static Optional<Path> write(ExperimentPlan plan, List<RunOutcome> outcomes) throws IOException {
         List<RunResult> runs = new ArrayList<>();
         for (RunOutcome outcome : outcomes) {
             if (outcome.isComplete()) {

@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

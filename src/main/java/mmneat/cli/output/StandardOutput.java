@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -13,17 +13,17 @@ import org.jspecify.annotations.Nullable;
  * <p>Print streams and writers ignore such failures. This class keeps them until the command ends, so that every
  * command can report them. After a failure, all further output is discarded.
  */
-final class StandardOutput extends OutputStream {
+public final class StandardOutput extends OutputStream {
 
     private final OutputStream target;
     private @Nullable IOException failure;
 
-    StandardOutput(OutputStream target) {
+    public StandardOutput(OutputStream target) {
         this.target = target;
     }
 
     /** Returns the encoding that Java chose for {@code System.out}. */
-    static Charset encoding() {
+    public static Charset encoding() {
         // The first property exists since Java 19.
         String name = System.getProperty("stdout.encoding", System.getProperty("sun.stdout.encoding"));
         return name == null || !Charset.isSupported(name) ? Charset.defaultCharset() : Charset.forName(name);
@@ -59,7 +59,7 @@ final class StandardOutput extends OutputStream {
     /**
      * The first failure; empty if everything was written, or if the reader of a pipe has ended, as {@code head} does.
      */
-    synchronized Optional<IOException> failure() {
+    public synchronized Optional<IOException> failure() {
         return Optional.ofNullable(failure).filter(e -> !isClosedPipe(e));
     }
 

@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.options;
 
 import java.io.IOException;
 import java.io.Reader;
@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
  * commands that evaluate champions have {@link RulesOption} instead, with other names: it changes the rules of the
  * champion's own task.
  */
-final class GameOptions {
+public final class GameOptions {
 
     private static final String DEFAULT_RULES = "competition";
 
@@ -80,9 +80,9 @@ final class GameOptions {
     private int powerPill;
 
     /** Returns the rules that the options choose, based on {@code otherwise} if {@code rules=} is not given. */
-    GameRules rules(GameRules otherwise) {
+    public GameRules rules(GameRules otherwise) {
         for (String name : List.of("powerPill", "ghostLocations")) {
-            ConsoleCommand.requireEffect(
+            OptionValues.requireEffect(
                     command, name, name().equals(ISOLATED_GHOSTS), "it is used only with rules=" + ISOLATED_GHOSTS);
         }
         GameRules chosen = rules == null ? otherwise : named(rules);
@@ -111,12 +111,12 @@ final class GameOptions {
     }
 
     /** The name of the rules, for reports. */
-    String name() {
+    public String name() {
         return rules == null ? DEFAULT_RULES : rules;
     }
 
     /** Whether all levels are played in a maze that the user chose. */
-    boolean hasMaze() {
+    public boolean hasMaze() {
         return maze != null;
     }
 

@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.options;
 
 import java.nio.file.Path;
 import java.util.Optional;
@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** The option {@code jar=}: the user's permission to load the classes that the folder of a run names. */
-final class JarOption {
+public final class JarOption {
 
     @Option(
             names = "jar",
@@ -18,12 +18,12 @@ final class JarOption {
     private @Nullable Path jar;
 
     /** Returns the champion, with this jar for the classes of its run. */
-    Champion allow(Champion champion) {
+    public Champion allow(Champion champion) {
         return champion.withJar(file());
     }
 
     /** The jar; empty if none is given. */
-    Optional<Path> file() {
+    public Optional<Path> file() {
         return Optional.ofNullable(jar);
     }
 }

@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.options;
 
 import java.util.ArrayList;
 import java.util.Optional;
@@ -7,11 +7,11 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** The option {@code task=}: the version of the task that a champion plays. */
-final class TaskOption {
+public final class TaskOption {
 
     /** The versions of the task. */
-    static final class Versions extends ArrayList<String> {
-        Versions() {
+    public static final class Versions extends ArrayList<String> {
+        public Versions() {
             super(TaskVersion.labels());
         }
     }
@@ -24,7 +24,7 @@ final class TaskOption {
                     + " network's inputs fit).")
     private @Nullable String version;
 
-    Optional<TaskVersion> version() {
+    public Optional<TaskVersion> version() {
         return Optional.ofNullable(version).flatMap(TaskVersion::labelled);
     }
 }

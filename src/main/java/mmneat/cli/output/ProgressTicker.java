@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import java.io.PrintWriter;
 import java.time.Duration;
@@ -13,7 +13,7 @@ import mmneat.evolution.DaemonThreads;
  * Shows the progress of a long command. A terminal shows the current lines, redrawn in place. A log file or a dumb
  * terminal receives the lines after 5 s, and then at intervals that double up to 10 minutes.
  */
-final class ProgressTicker {
+public final class ProgressTicker {
 
     private static final long TERMINAL_MILLIS = 500;
     private static final Duration FIRST_PLAIN = Duration.ofSeconds(5);
@@ -46,7 +46,7 @@ final class ProgressTicker {
      *
      * @param lines returns the current lines, or none if there is no progress yet; the ticker's thread calls it
      */
-    static ProgressTicker start(PrintWriter out, Supplier<List<String>> lines) {
+    public static ProgressTicker start(PrintWriter out, Supplier<List<String>> lines) {
         ProgressTicker ticker = new ProgressTicker(out, lines);
         if (Terminal.understandsEscapes()) {
             ticker.clock.scheduleAtFixedRate(ticker::redraw, TERMINAL_MILLIS, TERMINAL_MILLIS, TimeUnit.MILLISECONDS);
@@ -57,12 +57,13 @@ final class ProgressTicker {
     }
 
     /** Work that may fail. */
-    interface Work<T, E extends Exception> {
+    public interface Work<T, E extends Exception> {
         T run() throws E;
     }
 
     /** Shows lines while work is done, and returns the result of the work. */
-    static <T, E extends Exception> T during(PrintWriter out, Supplier<List<String>> lines, Work<T, E> work) throws E {
+    public static <T, E extends Exception> T during(PrintWriter out, Supplier<List<String>> lines, Work<T, E> work)
+            throws E {
         ProgressTicker ticker = start(out, lines);
         try {
             return work.run();
@@ -102,7 +103,7 @@ final class ProgressTicker {
     }
 
     /** Stops showing progress and removes the last lines from the terminal. Closing twice has no effect. */
-    synchronized void close() {
+    public synchronized void close() {
         if (!isClosed) {
             isClosed = true;
             clock.shutdownNow();

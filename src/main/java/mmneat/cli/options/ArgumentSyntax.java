@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.options;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -25,10 +25,10 @@ import picocli.CommandLine.ParameterException;
  *       the nearest name. Without this, picocli would treat {@code sed=1} as a file name.
  * </ul>
  */
-final class ArgumentSyntax implements IParameterPreprocessor {
+public final class ArgumentSyntax implements IParameterPreprocessor {
 
     /** Label of positional parameters that accept every {@code name=value}: the parameters of an experiment. */
-    static final String PARAMETER = "NAME=VALUE";
+    public static final String PARAMETER = "NAME=VALUE";
 
     /** A name of letters, digits, dots, dashes and underscores, then the separator and the value. */
     private static final Pattern NAMED = Pattern.compile("([A-Za-z][A-Za-z0-9._-]*)([=:])(.*)", Pattern.DOTALL);
@@ -78,7 +78,7 @@ final class ArgumentSyntax implements IParameterPreprocessor {
     }
 
     /** The names of the options that are written {@code name=value}. */
-    static List<String> names(CommandSpec command) {
+    public static List<String> names(CommandSpec command) {
         return command.options().stream()
                 .map(option -> option.longestName())
                 .filter(name -> !name.startsWith("-"))
@@ -109,7 +109,7 @@ final class ArgumentSyntax implements IParameterPreprocessor {
     }
 
     /** Whether a command accepts parameters of an experiment in addition to its options. */
-    static boolean takesParameters(CommandSpec command) {
+    public static boolean takesParameters(CommandSpec command) {
         return command.positionalParameters().stream()
                 .anyMatch(parameter -> parameter.paramLabel().equals(PARAMETER));
     }

@@ -1,19 +1,19 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import java.time.Duration;
 import java.util.Locale;
 
 /** Formats percentages, rates and durations. */
-final class QuantityText {
+public final class QuantityText {
 
     private QuantityText() {}
 
-    static String percent(double portion) {
+    public static String percent(double portion) {
         return String.format(Locale.ROOT, "%.0f%%", portion * 100);
     }
 
     /** Formats simulated time steps per second. */
-    static String rate(double stepsPerSecond) {
+    public static String rate(double stepsPerSecond) {
         if (stepsPerSecond >= 1e6) {
             return String.format(Locale.ROOT, "%.1fM steps/s", stepsPerSecond / 1e6);
         }
@@ -24,7 +24,7 @@ final class QuantityText {
     }
 
     /** Formats a duration in its two largest units. */
-    static String duration(Duration time) {
+    public static String duration(Duration time) {
         long seconds = Math.round(time.toMillis() / 1000.0);
         if (seconds < 60) {
             return seconds + " s";

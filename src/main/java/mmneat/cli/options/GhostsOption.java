@@ -1,4 +1,4 @@
-package mmneat.cli;
+package mmneat.cli.options;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
  * The option {@code ghosts=} of the commands for champions (evaluate, report, tasks, watch): a file of recorded ghost
  * locations for the isolated version of the task. The option of the same name of {@code play} names a controller.
  */
-final class GhostsOption {
+public final class GhostsOption {
 
     private static final String NAME = "ghosts";
 
@@ -34,7 +34,7 @@ final class GhostsOption {
     private @Nullable Path file;
 
     /** Returns the settings with which a champion plays. */
-    MsPacManTaskSettings settings(Champion champion, TaskOption task, Rules rules) {
+    public MsPacManTaskSettings settings(Champion champion, TaskOption task, Rules rules) {
         // A version that does not use the file refuses the option, whether the file exists or not.
         MsPacManTaskSettings settings =
                 PlayerSettings.of(champion, task.version(), rules, file().filter(Files::isReadable));
@@ -46,19 +46,19 @@ final class GhostsOption {
     }
 
     /** As {@link #settings}; empty if the champion was evolved for another task than Ms. Pac-Man. */
-    Optional<MsPacManTaskSettings> findSettings(Champion champion, TaskOption task, Rules rules) {
+    public Optional<MsPacManTaskSettings> findSettings(Champion champion, TaskOption task, Rules rules) {
         return PlayerSettings.find(champion, task.version(), rules, file());
     }
 
     /** Returns the file after checking that it is readable; empty if the option is not given. */
-    Optional<Path> readableFile() {
+    public Optional<Path> readableFile() {
         requireReadable();
         return file();
     }
 
     /** Refuses the option where it has no effect. */
-    void requireEffect(boolean hasEffect, String reason) {
-        ConsoleCommand.requireEffect(command, NAME, hasEffect, reason);
+    public void requireEffect(boolean hasEffect, String reason) {
+        OptionValues.requireEffect(command, NAME, hasEffect, reason);
     }
 
     private Optional<Path> file() {

@@ -1,14 +1,14 @@
-package mmneat.cli;
+package mmneat.cli.output;
 
 import picocli.CommandLine.Help.Ansi;
 
 /** The capabilities of the terminal. */
-final class Terminal {
+public final class Terminal {
 
     private Terminal() {}
 
     /** Whether output goes to a terminal that supports escape sequences for colours and cursor movements. */
-    static boolean understandsEscapes() {
+    public static boolean understandsEscapes() {
         return understandsEscapes(System.getenv("TERM"), Ansi.AUTO.enabled());
     }
 
@@ -18,7 +18,7 @@ final class Terminal {
      * @param type value of the environment variable TERM; null if it is not set
      * @param isTerminal whether output goes to a terminal, according to picocli
      */
-    static boolean understandsEscapes(String type, boolean isTerminal) {
+    public static boolean understandsEscapes(String type, boolean isTerminal) {
         return isTerminal && !"dumb".equals(type);
     }
 }
