@@ -273,16 +273,20 @@ public final class NetworkState {
         }
     }
 
-    /** Computes a group roughly for this state and another, unless both have it already. */
+    /** Computes a group roughly for this state and another, as far as they do not have it. */
     private void computeRoughly(NetworkState other, int group) {
-        if (computed[group] < now || other.computed[group] < other.now) {
+        boolean needed = computed[group] < now;
+        boolean otherNeeded = other.computed[group] < other.now;
+        if (needed || otherNeeded) {
             if (group > Network.SHARED) {
                 computeRoughly(other, Network.SHARED);
             }
-            Propagation.roughly(
-                    network, activations, other.activations, network.groupStart[group], network.groupStart[group + 1]);
-            computed[group] = now + ROUGHLY;
-            other.computed[group] = other.now + ROUGHLY;
+            // Values that are there may be exact, and are not written again.
+            double[] a = (needed ? this : other).activations;
+            double[] b = (otherNeeded ? other : this).activations;
+            Propagation.roughly(network, a, b, network.groupStart[group], network.groupStart[group + 1]);
+            computed[group] = needed ? now + ROUGHLY : computed[group];
+            other.computed[group] = otherNeeded ? other.now + ROUGHLY : other.computed[group];
         }
     }
 

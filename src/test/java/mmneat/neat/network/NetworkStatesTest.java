@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import mmneat.neat.Genotype;
+import mmneat.neat.ModuleLayout;
 import mmneat.random.ResumableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -157,6 +159,29 @@ class NetworkStatesTest {
             }
         }
         assertThat(rough).as("sums that were rough").isGreaterThan(1000);
+    }
+
+    @Test
+    void exactValues_stayExact_afterTheAnswersAreCompared() {
+        ModuleLayout[] layouts = {ModuleLayout.multitask(3, 1), SampleGenotypes.withPreference(3)};
+        for (int i = 0; i < GENOTYPES; i++) {
+            Genotype genotype = SampleGenotypes.grown(random, 10, layouts[i % 2], 20, 90);
+            NetworkStates together = Network.compile(genotype).newStates(2);
+            ResumableRandom draws = new ResumableRandom(8);
+            for (int step = 0; step < STEPS; step++) {
+                together.activate(3, random.doubles(20, -0.7, 0.7).toArray(), 10, draws);
+                NetworkState read = together.get(step % 2);
+                double[] before = moduleOutputs(read);
+                together.clearlyHighest(3, 0);
+                assertThat(moduleOutputs(read)).isEqualTo(before);
+            }
+        }
+    }
+
+    private static double[] moduleOutputs(NetworkState state) {
+        return IntStream.range(0, state.network().modules())
+                .mapToDouble(module -> state.moduleOutput(module, 0))
+                .toArray();
     }
 
     @Test
