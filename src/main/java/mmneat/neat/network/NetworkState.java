@@ -19,9 +19,6 @@ public final class NetworkState {
     /** The answer of {@link #clearlyHighest}: too close. */
     static final int UNCLEAR = -1;
 
-    private static final int ROUGHLY = 0;
-    private static final int EXACTLY = 1;
-
     private final Network network;
     /**
      * Activation of each slot that is not lazy, as far as its group is computed; behind them the activations of the
@@ -29,11 +26,10 @@ public final class NetworkState {
      */
     final double[] activations;
 
-    /** Twice the number of the step in which each group was computed last, and one more if exactly. */
-    private final long[] computed;
+    /** Groups that were computed in this step, as a set of {@link #bit}: at least roughly, and to the last bit. */
+    private long computed;
 
-    /** Twice the number of steps so far. */
-    private long now;
+    private long exact;
 
     private final int[] moduleUsage;
     /** Sum or activation of each preference neuron while the module is chosen. */
@@ -52,7 +48,6 @@ public final class NetworkState {
     NetworkState(Network network, ModuleArbitration arbitration) {
         this.network = network;
         activations = new double[network.slots + network.remembered];
-        computed = new long[network.groupStart.length - 1];
         moduleUsage = new int[network.modules()];
         preferences = new double[network.modules()];
         ModuleArbitration complete = arbitration.of(network.layout);
@@ -232,7 +227,7 @@ public final class NetworkState {
         if (isLazy(slot)) {
             return activationOfOutput(position - network.firstOutput());
         }
-        for (int group = 0; group < computed.length && !flushed; group++) {
+        for (int group = 0; group < network.groupStart.length - 1 && !flushed; group++) {
             computeExactly(group);
         }
         return activations[slot];
@@ -264,19 +259,19 @@ public final class NetworkState {
 
     /** Computes the exact activations of a group, and of those that it depends on. */
     void computeExactly(int group) {
-        if (computed[group] != now + EXACTLY) {
+        if ((exact & bit(group)) == 0) {
             if (group != Network.ALWAYS) {
                 computeExactly(group == Network.SHARED ? Network.ALWAYS : Network.SHARED);
             }
             propagate(group);
-            computed[group] = now + EXACTLY;
+            setExact(group);
         }
     }
 
     /** Computes a group roughly for this state and another, as far as they do not have it. */
     private void computeRoughly(NetworkState other, int group) {
-        boolean needed = computed[group] < now;
-        boolean otherNeeded = other.computed[group] < other.now;
+        boolean needed = (computed & bit(group)) == 0;
+        boolean otherNeeded = (other.computed & bit(group)) == 0;
         if (needed || otherNeeded) {
             if (group > Network.SHARED) {
                 computeRoughly(other, Network.SHARED);
@@ -285,8 +280,8 @@ public final class NetworkState {
             double[] a = (needed ? this : other).activations;
             double[] b = (otherNeeded ? other : this).activations;
             Propagation.roughly(network, a, b, network.groupStart[group], network.groupStart[group + 1]);
-            computed[group] = needed ? now + ROUGHLY : computed[group];
-            other.computed[group] = otherNeeded ? other.now + ROUGHLY : other.computed[group];
+            computed |= bit(group);
+            other.computed |= bit(group);
         }
     }
 
@@ -302,8 +297,8 @@ public final class NetworkState {
         } else {
             Propagation.exactly(
                     network, activations, other.activations, network.inputs, network.groupStart[Network.ALWAYS + 1]);
-            computed[Network.ALWAYS] = now + EXACTLY;
-            other.computed[Network.ALWAYS] = other.now + EXACTLY;
+            setExact(Network.ALWAYS);
+            other.setExact(Network.ALWAYS);
         }
         if (prefersBySums) {
             computeRoughly(other, Network.SHARED);
@@ -333,6 +328,16 @@ public final class NetworkState {
         }
     }
 
+    /** The bit of a group; groups beyond 63 have none and are computed again whenever they are needed. */
+    private static long bit(int group) {
+        return group < Long.SIZE ? 1L << group : 0;
+    }
+
+    private void setExact(int group) {
+        exact |= bit(group);
+        computed |= bit(group);
+    }
+
     private boolean isLazy(int slot) {
         return slot >= network.firstLazy;
     }
@@ -340,7 +345,8 @@ public final class NetworkState {
     /** Keeps what recurrent links read before it is overwritten. */
     private void remember() {
         flushed = false;
-        now += 2;
+        exact = 0;
+        computed = 0;
         System.arraycopy(activations, network.inputs, activations, network.slots, network.remembered);
     }
 
@@ -387,11 +393,6 @@ public final class NetworkState {
         Propagation.sums(network, activations, other.activations, network.slotOfOutput[output], sums, i, sums, j);
     }
 
-    /** Whether a policy neuron of the chosen module is always needed, so that its answer is there already. */
-    boolean answersAlways(int neuron) {
-        return network.isAlwaysComputed(network.slotOfOutput[network.layout.policyOutput(lastModule, neuron)]);
-    }
-
     /** Whether the answer can be told from a sum: a chosen module's neuron, its function tanh. */
     boolean answersBySum() {
         return network.functions == null && (arbiter == null || !arbiter.averages());
@@ -415,18 +416,15 @@ public final class NetworkState {
          *   d = 1e-2, b = 13    3e-14.
          */
         int best = 0;
+        double second = Double.NEGATIVE_INFINITY;
         for (int i = 1; i < count; i++) {
+            // A sum that is not a number stays the second one.
+            second = Math.max(second, Math.min(sums[best], sums[i]));
             best = sums[i] > sums[best] ? i : best;
         }
-        double highest = sums[best];
-        for (int i = 0; i < count; i++) {
-            double difference = highest - sums[i] - 2 * margin;
-            boolean clear = difference > 1e-9 && highest > -5 && sums[i] < 5
-                    || difference > 1e-2 && highest > -13 && sums[i] < 13;
-            if (!clear && i != best) {
-                return UNCLEAR;
-            }
-        }
-        return highest > -13 ? best : UNCLEAR;
+        double difference = sums[best] - second - 2 * margin;
+        boolean clear = difference > 1e-9 && sums[best] > -5 && second < 5
+                || difference > 1e-2 && sums[best] > -13 && second < 13;
+        return clear ? best : UNCLEAR;
     }
 }

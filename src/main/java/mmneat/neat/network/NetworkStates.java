@@ -135,31 +135,8 @@ public final class NetworkStates {
         if (count == 0 || !active[0].answersBySum()) {
             return NetworkState.UNCLEAR;
         }
-        int highest = answersAlways(count, neuron) ? highestAnswer(count, neuron) : clearlyHighestSum(count, neuron);
+        int highest = clearlyHighestSum(count, neuron);
         return highest == NetworkState.UNCLEAR ? highest : indexOf(active[highest]);
-    }
-
-    private boolean answersAlways(int count, int neuron) {
-        for (int i = 0; i < count; i++) {
-            if (!active[i].answersAlways(neuron)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** The one of the states with the highest answer; unclear if there are several, it is -1 or one is not a number. */
-    private int highestAnswer(int count, int neuron) {
-        double highest = -1;
-        int best = NetworkState.UNCLEAR;
-        for (int i = 0; i < count; i++) {
-            double answer = active[i].policyOutput(neuron);
-            if (!(answer < highest)) {
-                best = answer > highest ? i : NetworkState.UNCLEAR;
-                highest = answer;
-            }
-        }
-        return best;
     }
 
     private int clearlyHighestSum(int count, int neuron) {

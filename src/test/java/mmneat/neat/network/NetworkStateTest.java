@@ -75,6 +75,15 @@ class NetworkStateTest {
                 ActivationFunction.builtIn().stream(), Stream.of(ActivationFunction.own("Sine", StrictMath::sin)));
     }
 
+    /** More groups of neurons than a long has bits. */
+    @Test
+    void networksOf70Modules_equalThePlainForm() {
+        for (int i = 0; i < 5; i++) {
+            Genotype genotype = SampleGenotypes.grown(random, 5, SampleGenotypes.withPreference(70), 80, 600);
+            compareWithPlainForm(genotype, Network.compile(genotype));
+        }
+    }
+
     private void compareWithPlainForm(Genotype genotype, Network network) {
         PlainNetwork plain = new PlainNetwork(genotype);
         NetworkState state = network.newState();

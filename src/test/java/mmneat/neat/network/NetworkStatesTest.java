@@ -163,9 +163,11 @@ class NetworkStatesTest {
 
     @Test
     void exactValues_stayExact_afterTheAnswersAreCompared() {
-        ModuleLayout[] layouts = {ModuleLayout.multitask(3, 1), SampleGenotypes.withPreference(3)};
+        ModuleLayout[] layouts = {
+            ModuleLayout.multitask(3, 1), SampleGenotypes.withPreference(3), SampleGenotypes.withPreference(70)
+        };
         for (int i = 0; i < GENOTYPES; i++) {
-            Genotype genotype = SampleGenotypes.grown(random, 10, layouts[i % 2], 20, 90);
+            Genotype genotype = SampleGenotypes.grown(random, 10, layouts[i % layouts.length], 20, 90);
             NetworkStates together = Network.compile(genotype).newStates(2);
             ResumableRandom draws = new ResumableRandom(8);
             for (int step = 0; step < STEPS; step++) {
