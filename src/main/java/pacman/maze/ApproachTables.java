@@ -72,12 +72,15 @@ public final class ApproachTables {
         return found;
     }
 
-    /** Returns the neighbour on the side from which a path comes, as a bit. */
+    /** Returns the neighbour on the side from which a path comes, as a bit; 0 if the path starts at that neighbour. */
     private int neighbour(int ends, int target, int side) {
         int at = Routes.position(routes.place(target));
-        return MazePaths.isByLower((ends >> 16) + at, (ends & 0xFFFF) - at, (side & 1) != 0)
-                ? side >> 1 & 0xF
-                : side >> 5;
+        int byLower = (ends >> 16) + at;
+        int byUpper = (ends & 0xFFFF) - at;
+        if (Math.min(byLower, byUpper) == 1) {
+            return 0;
+        }
+        return MazePaths.isByLower(byLower, byUpper, (side & 1) != 0) ? side >> 1 & 0xF : side >> 5;
     }
 
     private int index(int row, int target) {
