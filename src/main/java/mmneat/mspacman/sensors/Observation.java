@@ -2,8 +2,6 @@ package mmneat.mspacman.sensors;
 
 import java.util.Arrays;
 import pacman.game.Game;
-import pacman.maze.ApproachTables;
-import pacman.maze.MazePaths;
 import pacman.maze.Routes;
 
 /**
@@ -27,20 +25,11 @@ public final class Observation {
     /** Number of ghosts. */
     public static final int GHOSTS = 4;
 
-    /** Distance minus 1, in a sort key, of a ghost that has no distance. */
-    private static final int FARTHEST = (1 << 28) - 1;
-
     @SuppressWarnings("NullAway.Init")
     private Game game;
 
     @SuppressWarnings("NullAway.Init")
     private SensorTables tables;
-
-    @SuppressWarnings("NullAway.Init")
-    private MazePaths paths;
-
-    @SuppressWarnings("NullAway.Init")
-    private Routes routes;
 
     // The state.
     private int mazeIndex;
@@ -48,52 +37,21 @@ public final class Observation {
     /** Open directions from her node, as bits. */
     private int open;
 
-    private final int[] ghostNode = new int[GHOSTS];
-    private final int[] edibleTime = new int[GHOSTS];
-    private final int[] lairTime = new int[GHOSTS];
+    private final ObservedGhosts ghosts = new ObservedGhosts();
     private final PillsLeft pills = new PillsLeft();
     private final PillsLeft powerPills = new PillsLeft();
-
-    // Values that are computed from the state.
-    private final long[] ghostRoute = new long[GHOSTS];
-    private final int[] ghostPlace = new int[GHOSTS];
-    private final int[] ghostPathLength = new int[GHOSTS];
-    /** Per ghost, the number of steps in which it cannot stop her. */
-    private final int[] harmless = new int[GHOSTS];
-
-    private final int[] neighboursPassed = new int[GHOSTS];
-
-    /** Whether each ghost heads for her; valid if its bit is set in {@link #headingKnown}, and computed on request. */
-    private final boolean[] heading = new boolean[GHOSTS];
-
-    private int headingKnown;
-    private int highestEdibleTime;
-    private int edibleGhosts;
-    private int threats;
-    private int harmlessSteps;
 
     // Values that are computed from the direction.
     private int direction;
     private long route;
     private int least;
-    private final int[] ghostDistance = new int[GHOSTS];
-
-    /**
-     * Steps to each ghost that is in the corridor ahead, 0 for one on her node in a straight corridor; else below 0.
-     */
-    private final int[] stepsAhead = new int[GHOSTS];
-
-    /** Distance and number of each ghost outside the lair, nearest first. */
-    private final int[] orderKeys = new int[GHOSTS];
-
-    private int ghostsOutside;
 
     /** Per direction, the list of walks for which {@link #mostPills} was found, -1 if pills have changed since. */
     private final int[] knownWalks = new int[4];
 
     private final int[] mostPills = new int[4];
 
-    private final SafetyTest safety = new SafetyTest(this);
+    private final SafetyTest safety = new SafetyTest(this, ghosts);
 
     // ---- Taking in the state ----
 
@@ -124,10 +82,9 @@ public final class Observation {
             return;
         }
         tables = maze;
-        paths = maze.paths;
-        routes = maze.routes;
-        pills.enter(maze.pills, routes.rowCount(), maze.graph.pillWords());
-        powerPills.enter(maze.powerPills, routes.rowCount(), 1);
+        ghosts.enter(maze);
+        pills.enter(maze.pills, maze.routes.rowCount(), maze.graph.pillWords());
+        powerPills.enter(maze.powerPills, maze.routes.rowCount(), 1);
         Arrays.fill(knownWalks, -1);
     }
 
@@ -159,79 +116,30 @@ public final class Observation {
      * @param lastMove 0 to 3, or 4 for none
      */
     void placeGhost(int ghost, int atNode, int edible, int lair, int lastMove) {
-        ghostNode[ghost] = atNode;
-        edibleTime[ghost] = edible;
-        lairTime[ghost] = lair;
-        ghostRoute[ghost] = lair > 0 ? 0 : routes.continuing(atNode, lastMove);
+        ghosts.place(ghost, atNode, edible, lair, lastMove);
     }
 
     /** Computes the values that depend only on the state; call it when the whole state is set. */
     void conclude() {
-        headingKnown = 0;
-        highestEdibleTime = 0;
-        edibleGhosts = 0;
-        threats = 0;
-        harmlessSteps = Integer.MAX_VALUE;
-        for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            highestEdibleTime = Math.max(highestEdibleTime, edibleTime[ghost]);
-            if (edibleTime[ghost] > 0) {
-                edibleGhosts++;
-            } else if (ghostNode[ghost] != tables.graph.lair()) {
-                threats++;
-            }
-            if (isOutside(ghost)) {
-                int approach = tables.approaches.approach(ghostRoute[ghost], node);
-                ghostPathLength[ghost] = ApproachTables.lengthOf(approach);
-                neighboursPassed[ghost] = ApproachTables.neighboursOf(approach);
-                ghostPlace[ghost] = routes.place(ghostNode[ghost]);
-            }
-            harmless[ghost] = safety.harmlessSteps(ghost);
-            harmlessSteps = Math.min(harmlessSteps, harmless[ghost]);
-        }
+        ghosts.conclude(node);
+        safety.conclude();
     }
 
     /** Sets the direction, which must be open, for all later queries that depend on a direction. */
     public void face(int newDirection) {
         direction = newDirection;
-        route = routes.leaving(node, newDirection);
+        route = tables.routes.leaving(node, newDirection);
         int sideways = 0b1010 >> (newDirection & 1) & 0b1111;
         least = (open & sideways) == 0 ? 0 : 1;
-        ghostsOutside = 0;
-        for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            orderKeys[ghost] = Integer.MAX_VALUE;
-            if (isOutside(ghost)) {
-                int place = ghostPlace[ghost];
-                int ahead = Routes.aheadOfPlace(route, place);
-                int distance =
-                        ahead >= least ? ahead : Routes.steps(route) + paths.lengthToPlace(Routes.row(route), place);
-                stepsAhead[ghost] = ahead;
-                ghostDistance[ghost] = distance;
-                orderKeys[ghost] = (distance - 1 & FARTHEST) << 2 | ghost;
-                ghostsOutside++;
-            }
-        }
-        order();
+        ghosts.face(newDirection, route, least);
     }
 
-    /*
-     * By distance, where no distance counts as larger than any; ghosts at the same distance in the order of their
-     * numbers, those in the lair last. Five comparisons sort four keys; as minimum and maximum they need no branches,
-     * which the processor could not predict.
-     */
-    private void order() {
-        int a = Math.min(orderKeys[0], orderKeys[1]);
-        int b = Math.max(orderKeys[0], orderKeys[1]);
-        int c = Math.min(orderKeys[2], orderKeys[3]);
-        int d = Math.max(orderKeys[2], orderKeys[3]);
-        int inner = Math.max(a, c);
-        int other = Math.min(b, d);
-        orderKeys[0] = Math.min(a, c);
-        orderKeys[1] = Math.min(inner, other);
-        orderKeys[2] = Math.max(inner, other);
-        orderKeys[3] = Math.max(b, d);
-    }
+    // ---- For classes of this package ----
 
-    // ---- For the safety test ----
+    /** The ghosts. */
+    ObservedGhosts ghosts() {
+        return ghosts;
+    }
 
     SensorTables tables() {
         return tables;
@@ -247,47 +155,6 @@ public final class Observation {
         return least;
     }
 
-    /** The route of a ghost outside the lair, as {@link Routes} encodes it. */
-    long ghostRoute(int ghost) {
-        return ghostRoute[ghost];
-    }
-
-    /** Place of a ghost outside the lair, as {@link Routes#place} numbers it. */
-    int ghostPlace(int ghost) {
-        return ghostPlace[ghost];
-    }
-
-    /** Steps to a ghost outside the lair if it is in the corridor before the next junction; else 0 or less. */
-    int stepsAhead(int ghost) {
-        return stepsAhead[ghost];
-    }
-
-    /** Number of steps in which no ghost can stop Ms. Pac-Man, wherever she goes; below 0 if there is a threat. */
-    int harmlessSteps() {
-        return harmlessSteps;
-    }
-
-    /** The same for one ghost. */
-    int harmlessSteps(int ghost) {
-        return harmless[ghost];
-    }
-
-    /**
-     * Whether a ghost outside the lair takes the shortest path to Ms. Pac-Man; both lengths as the simulator has them.
-     */
-    boolean headsForPacMan(int ghost) {
-        if ((headingKnown >> ghost & 1) == 0) {
-            headingKnown |= 1 << ghost;
-            heading[ghost] = ghostPathLength[ghost] == paths.undirectedLength(ghostNode[ghost], node);
-        }
-        return heading[ghost];
-    }
-
-    /** Steps of a ghost's own path to Ms. Pac-Man. */
-    int ghostPathLength(int ghost) {
-        return ghostPathLength[ghost];
-    }
-
     /** One word of the bits of active pills. */
     long activePills(int word) {
         return pills.bits()[word];
@@ -298,9 +165,12 @@ public final class Observation {
      * power pill is close, and the numbers of edible ghosts, threats, power pills and pills.
      */
     long commonState() {
-        return (long) highestEdibleTime << 32
+        return (long) ghosts.highestEdibleTime() << 32
                 | (isCloseToPowerPill() ? 1L << 31 : 0)
-                | (long) (edibleGhosts << 28 | threats << 24 | powerPills.count() << 16 | pills.count());
+                | (long) (ghosts.edibleCount() << 28
+                        | ghosts.threats() << 24
+                        | powerPills.count() << 16
+                        | pills.count());
     }
 
     // ---- What sensors ask ----
@@ -337,47 +207,47 @@ public final class Observation {
 
     /** Node of a ghost; the lair's while it is there. */
     public int ghostNode(int ghost) {
-        return ghostNode[ghost];
+        return ghosts.node(ghost);
     }
 
     /** Steps for which a ghost stays edible; 0 if it is not. */
     public int edibleTime(int ghost) {
-        return edibleTime[ghost];
+        return ghosts.edibleTime(ghost);
     }
 
     /** Steps for which a ghost stays in the lair; 0 outside. */
     public int lairTime(int ghost) {
-        return lairTime[ghost];
+        return ghosts.lairTime(ghost);
     }
 
     /** Whether Ms. Pac-Man can eat a ghost. */
     public boolean isEdible(int ghost) {
-        return edibleTime[ghost] > 0;
+        return ghosts.edibleTime(ghost) > 0;
     }
 
     /** Whether a ghost is neither edible nor on the lair's node. */
     public boolean isThreat(int ghost) {
-        return edibleTime[ghost] == 0 && ghostNode[ghost] != tables.graph.lair();
+        return ghosts.isThreat(ghost);
     }
 
     /** Whether a ghost is not in the lair. */
     public boolean isOutside(int ghost) {
-        return lairTime[ghost] == 0;
+        return ghosts.isOutside(ghost);
     }
 
     /** Number of edible ghosts. */
     public int edibleGhosts() {
-        return edibleGhosts;
+        return ghosts.edibleCount();
     }
 
     /** Number of threats. */
     public int threats() {
-        return threats;
+        return ghosts.threats();
     }
 
     /** Longest edible time of any ghost, 0 if none is edible. */
     public int highestEdibleTime() {
-        return highestEdibleTime;
+        return ghosts.highestEdibleTime();
     }
 
     /** Number of pills that are left. */
@@ -444,7 +314,7 @@ public final class Observation {
         int notFarther = 0;
         int next = Integer.MAX_VALUE;
         for (int j = 0; j < tables.graph.junctionCount(); j++) {
-            int length = paths.length(route, least, tables.graph.junctionNode(j));
+            int length = tables.paths.length(route, least, tables.graph.junctionNode(j));
             if (length <= before) {
                 notFarther++;
             } else {
@@ -465,7 +335,7 @@ public final class Observation {
      * @return its number, or -1 if there are no more than n
      */
     public int nthNearestGhost(int n) {
-        return n < ghostsOutside ? orderKeys[n] & 3 : -1;
+        return ghosts.nthNearest(n);
     }
 
     /**
@@ -475,42 +345,24 @@ public final class Observation {
      * @return its number, or -1 if there are no more than n
      */
     int nthNearestGhost(int n, GhostKind kind) {
-        boolean edible = kind == GhostKind.EDIBLE;
-        int left = n;
-        for (int position = 0; position < ghostsOutside; position++) {
-            int ghost = orderKeys[position] & 3;
-            if (isEdible(ghost) == edible && left-- == 0) {
-                return ghost;
-            }
-        }
-        return -1;
+        return ghosts.nthNearest(n, kind);
     }
 
     /** Steps in this direction to a ghost outside the lair. */
     public int distanceToGhost(int ghost) {
-        return ghostDistance[ghost];
+        return ghosts.distance(ghost);
     }
 
     /** Whether a ghost outside the lair is on a path to Ms. Pac-Man that comes in from this direction. */
     public boolean isApproaching(int ghost) {
-        return (neighboursPassed[ghost] >> direction & 1) != 0;
-    }
-
-    /**
-     * What is so of a ghost outside the lair: bit 0 approaching, bit 1 trapped, bit 2 edible. By arithmetic: as
-     * branches they could not be predicted.
-     */
-    int flags(int ghost) {
-        return neighboursPassed[ghost] >> direction & 1
-                | (least - 1 - stepsAhead[ghost]) >>> 30 & 2
-                | -edibleTime[ghost] >>> 29 & 4;
+        return ghosts.isApproaching(ghost);
     }
 
     /**
      * Whether no junction lies between Ms. Pac-Man and a ghost outside the lair in this direction, nor under the ghost.
      */
     public boolean isTrapped(int ghost) {
-        return stepsAhead[ghost] >= least;
+        return ghosts.isTrapped(ghost);
     }
 
     /** Most active pills on a walk of the look-ahead depth in this direction that never turns back. */

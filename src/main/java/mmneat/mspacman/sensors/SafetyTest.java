@@ -25,6 +25,7 @@ final class SafetyTest {
     private static final int MEETING_DISTANCE = 2;
 
     private final Observation observation;
+    private final ObservedGhosts ghosts;
 
     @SuppressWarnings("NullAway.Init")
     private SensorTables tables;
@@ -38,14 +39,30 @@ final class SafetyTest {
     private int row;
     private int toJunction;
 
+    /** Per ghost, the number of steps in which it cannot stop her, wherever she goes; below 0 for threats. */
+    private final int[] harmless = new int[Observation.GHOSTS];
+
+    /** The least of them. */
+    private int harmlessSteps;
+
     /** A node is on the path that was written out last if its stamp is the current one. */
     private int[] stamps = new int[0];
 
     private int stamp;
     private int[] path = new int[0];
 
-    SafetyTest(Observation observation) {
+    SafetyTest(Observation observation, ObservedGhosts ghosts) {
         this.observation = observation;
+        this.ghosts = ghosts;
+    }
+
+    /** Computes the values that depend only on the state. */
+    void conclude() {
+        harmlessSteps = Integer.MAX_VALUE;
+        for (int ghost = 0; ghost < Observation.GHOSTS; ghost++) {
+            harmless[ghost] = harmlessSteps(ghost);
+            harmlessSteps = Math.min(harmlessSteps, harmless[ghost]);
+        }
     }
 
     /**
@@ -64,7 +81,7 @@ final class SafetyTest {
         boolean mayReachLastPill = observation.powerPillsLeft() == 0
                 && observation.pillsLeft() > 0
                 && observation.pillsLeft() <= mostSteps;
-        if (mostSteps <= observation.harmlessSteps() && !mayReachLastPill) {
+        if (mostSteps <= harmlessSteps && !mayReachLastPill) {
             return Integer.bitCount(moves);
         }
         int targets = moves | onward.ownBit(row);
@@ -85,13 +102,13 @@ final class SafetyTest {
     }
 
     /** Number of steps of her path up to which a ghost cannot stop her by any rule below; -1 for threats. */
-    int harmlessSteps(int ghost) {
-        if (!observation.isOutside(ghost)) {
-            return observation.lairTime(ghost);
+    private int harmlessSteps(int ghost) {
+        if (!ghosts.isOutside(ghost)) {
+            return ghosts.lairTime(ghost);
         }
-        int edibleTime = observation.edibleTime(ghost);
+        int edibleTime = ghosts.edibleTime(ghost);
         // The ghost's own path to her is not shorter than the distance that counts when they meet.
-        return edibleTime > 0 && timeToMeet(observation.ghostPathLength(ghost)) < edibleTime ? edibleTime - 1 : -1;
+        return edibleTime > 0 && timeToMeet(ghosts.pathLength(ghost)) < edibleTime ? edibleTime - 1 : -1;
     }
 
     // ---- All targets together ----
@@ -106,16 +123,16 @@ final class SafetyTest {
         long stopped = 0;
         int ghostsOnPaths = 0;
         for (int ghost = 0; ghost < Observation.GHOSTS; ghost++) {
-            if (observation.harmlessSteps(ghost) >= mostSteps) {
+            if (harmless[ghost] >= mostSteps) {
                 continue;
             }
-            if (observation.isOutside(ghost)) {
+            if (ghosts.isOutside(ghost)) {
                 // 1 if the ghost is on one of her paths: without a branch, which could not be predicted.
                 int isOnPath = -onPaths(ghost) >>> 31;
                 ghostsOnPaths |= isOnPath << ghost;
                 stopped |= arrivesFirst(ghost) & isOnPath - 1L;
             } else {
-                stopped |= stoppedFromLair(observation.lairTime(ghost));
+                stopped |= stoppedFromLair(ghosts.lairTime(ghost));
             }
         }
         long safe = targets & ~stopped;
@@ -132,8 +149,8 @@ final class SafetyTest {
 
     /** Flags of the targets at which a ghost outside the lair can be, no longer edible, when she comes. */
     private long arrivesFirst(int ghost) {
-        int edibleTime = observation.edibleTime(ghost);
-        long ghostRoute = observation.ghostRoute(ghost);
+        int edibleTime = ghosts.edibleTime(ghost);
+        long ghostRoute = ghosts.route(ghost);
         int more = toJunction + MEETING_DISTANCE - Routes.steps(ghostRoute) - edibleTime;
         long arrives = tables.onward.arriving(row, Routes.row(ghostRoute), more);
         return edibleTime == 0 ? arrives : arrives & tables.onward.atLeast(row, edibleTime - toJunction);
@@ -141,8 +158,8 @@ final class SafetyTest {
 
     /** Bits of the targets to which her path passes a ghost; all if it is before the next junction. */
     private int onPaths(int ghost) {
-        int inCorridor = -Math.max(observation.stepsAhead(ghost), 0) >>> 28;
-        return inCorridor | tables.onward.passing(row, observation.ghostPlace(ghost));
+        int inCorridor = -Math.max(ghosts.stepsAhead(ghost), 0) >>> 28;
+        return inCorridor | tables.onward.passing(row, ghosts.place(ghost));
     }
 
     /**
@@ -151,19 +168,19 @@ final class SafetyTest {
      * @param asked flags of the targets of interest
      */
     private long stoppedOnPath(int ghost, long asked) {
-        int node = observation.ghostNode(ghost);
-        long ghostRoute = observation.ghostRoute(ghost);
-        int edibleTime = observation.edibleTime(ghost);
+        int node = ghosts.node(ghost);
+        long ghostRoute = ghosts.route(ghost);
+        int edibleTime = ghosts.edibleTime(ghost);
         long onPaths = OnwardJunctions.flags(onPaths(ghost));
         long passed = 0;
-        if (observation.stepsAhead(ghost) > 0) {
+        if (ghosts.stepsAhead(ghost) > 0) {
             if (Routes.isSameCourse(ghostRoute, route)) {
                 return 0;
             }
         } else if (!tables.graph.isJunction(node)) {
             passed = OnwardJunctions.flags(tables.onward.within(row, Routes.row(ghostRoute))) & onPaths;
-        } else if (edibleTime == 0 && !observation.isApproaching(ghost)) {
-            passed = OnwardJunctions.flags(tables.onward.endingAt(row, observation.ghostPlace(ghost)));
+        } else if (edibleTime == 0 && !ghosts.isApproaching(ghost)) {
+            passed = OnwardJunctions.flags(tables.onward.endingAt(row, ghosts.place(ghost)));
         }
         long stopped = arrivesFirst(ghost) & ~passed;
         long inTheWay = onPaths & ~passed;
@@ -173,9 +190,9 @@ final class SafetyTest {
     /** Whether a ghost heads for her and is no longer edible when they meet. */
     private boolean meetsAsThreat(int ghost, int edibleTime) {
         return (edibleTime == 0
-                        || timeToMeet(tables.distances.between(observation.ghostNode(ghost), observation.pacManNode()))
+                        || timeToMeet(tables.distances.between(ghosts.node(ghost), observation.pacManNode()))
                                 >= edibleTime)
-                && observation.headsForPacMan(ghost);
+                && ghosts.headsForPacMan(ghost);
     }
 
     /** Steps until Ms. Pac-Man and an edible ghost, at half her speed, meet. */
@@ -241,24 +258,24 @@ final class SafetyTest {
     }
 
     private boolean stops(int ghost, int target, int steps) {
-        if (!observation.isOutside(ghost)) {
-            int lairTime = observation.lairTime(ghost);
+        if (!ghosts.isOutside(ghost)) {
+            int lairTime = ghosts.lairTime(ghost);
             return lairTime < steps && tables.fromLairExit[target] + lairTime - MEETING_DISTANCE <= steps;
         }
-        int node = observation.ghostNode(ghost);
-        int edibleTime = observation.edibleTime(ghost);
-        if (edibleTime == 0 && node == target && !observation.isApproaching(ghost)) {
+        int node = ghosts.node(ghost);
+        int edibleTime = ghosts.edibleTime(ghost);
+        if (edibleTime == 0 && node == target && !ghosts.isApproaching(ghost)) {
             return false;
         }
         if (stamps[node] == stamp) {
-            if (!tables.graph.isJunction(node) && isWithinPath(observation.ghostRoute(ghost), target)) {
+            if (!tables.graph.isJunction(node) && isWithinPath(ghosts.route(ghost), target)) {
                 return false;
             }
             if (meetsAsThreat(ghost, edibleTime)) {
                 return true;
             }
         }
-        int ghostSteps = paths.length(observation.ghostRoute(ghost), 0, target);
+        int ghostSteps = paths.length(ghosts.route(ghost), 0, target);
         return steps >= edibleTime && ghostSteps + edibleTime - MEETING_DISTANCE <= steps;
     }
 

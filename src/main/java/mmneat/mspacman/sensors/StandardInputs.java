@@ -70,10 +70,10 @@ final class StandardInputs {
         activations[at++] = distance(observation.nearestPowerPill());
         activations[at++] = distance(observation.nearestJunction());
         if (nearest) {
-            at = writeNearestGhosts(observation, activations, at);
+            at = writeNearestGhosts(observation.ghosts(), activations, at);
         }
         if (ofEachKind) {
-            at = writeGhostsOfEachKind(observation, activations, at);
+            at = writeGhostsOfEachKind(observation.ghosts(), activations, at);
         }
         activations[at++] = pills[observation.mostPillsAhead()];
         activations[at] = junctions[observation.mostJunctionsAhead()];
@@ -83,13 +83,13 @@ final class StandardInputs {
     }
 
     /** Returns the place after the last input that it wrote. */
-    private int writeNearestGhosts(Observation observation, double[] activations, int first) {
+    private int writeNearestGhosts(ObservedGhosts ghosts, double[] activations, int first) {
         int at = first;
         for (int n = 0; n < Observation.GHOSTS; n++) {
-            int ghost = observation.nthNearestGhost(n);
+            int ghost = ghosts.nthNearest(n);
             boolean exists = ghost >= 0;
-            int flags = exists ? observation.flags(ghost) : 0;
-            activations[at++] = distance(exists ? observation.distanceToGhost(ghost) : -1);
+            int flags = exists ? ghosts.flags(ghost) : 0;
+            activations[at++] = distance(exists ? ghosts.distance(ghost) : -1);
             if (incoming) {
                 activations[at++] = flag[flags & 1];
             }
@@ -104,21 +104,21 @@ final class StandardInputs {
     }
 
     /** Returns the place after the last input that it wrote. */
-    private int writeGhostsOfEachKind(Observation observation, double[] activations, int first) {
+    private int writeGhostsOfEachKind(ObservedGhosts ghosts, double[] activations, int first) {
         int perRank = 2 + (incoming ? 2 : 0) + (trapped ? 2 : 0);
         int end = first + Observation.GHOSTS * perRank;
         int threat = first;
         int edibleGhost = first + 1;
         for (int n = 0; n < Observation.GHOSTS; n++) {
-            int ghost = observation.nthNearestGhost(n);
+            int ghost = ghosts.nthNearest(n);
             if (ghost < 0) {
                 break;
             }
-            if (observation.isEdible(ghost)) {
-                writeGhostOfKind(observation, ghost, activations, edibleGhost);
+            if (ghosts.edibleTime(ghost) > 0) {
+                writeGhostOfKind(ghosts, ghost, activations, edibleGhost);
                 edibleGhost += perRank;
             } else {
-                writeGhostOfKind(observation, ghost, activations, threat);
+                writeGhostOfKind(ghosts, ghost, activations, threat);
                 threat += perRank;
             }
         }
@@ -132,15 +132,15 @@ final class StandardInputs {
     }
 
     /** The two kinds take turns, so one kind has every other input. */
-    private void writeGhostOfKind(Observation observation, int ghost, double[] activations, int first) {
+    private void writeGhostOfKind(ObservedGhosts ghosts, int ghost, double[] activations, int first) {
         int at = first;
-        activations[at] = distance(observation.distanceToGhost(ghost));
+        activations[at] = distance(ghosts.distance(ghost));
         if (incoming) {
             at += 2;
-            activations[at] = flag[observation.isApproaching(ghost) ? 1 : 0];
+            activations[at] = flag[ghosts.isApproaching(ghost) ? 1 : 0];
         }
         if (trapped) {
-            activations[at + 2] = flag[observation.isTrapped(ghost) ? 1 : 0];
+            activations[at + 2] = flag[ghosts.isTrapped(ghost) ? 1 : 0];
         }
     }
 
