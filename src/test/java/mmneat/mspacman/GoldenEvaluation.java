@@ -66,7 +66,8 @@ record GoldenEvaluation(JsonNode json) {
         for (JsonNode parameter : json.get("parameters")) {
             if (parameter.asText().startsWith("pacmanMultitaskScheme:")) {
                 settings = settings.withDivision(
-                        ModuleDivisions.named(parameter.asText().substring("pacmanMultitaskScheme:".length())));
+                        // The recordings leave out the first part of the package.
+                        ModuleDivisions.named(parameter.asText().replaceFirst("pacmanMultitaskScheme:.*\\.", "")));
             }
         }
         return settings.withTrials(json.get("trials").asInt());
