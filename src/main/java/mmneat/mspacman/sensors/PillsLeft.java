@@ -8,8 +8,10 @@ import pacman.maze.Routes;
 final class PillsLeft {
 
     /*
-     * The nearest pill in a direction stays the same while Ms. Pac-Man goes along a corridor without pills and that
-     * pill is active. So its distance from the junction ahead is kept. Pills come back only when a level starts.
+     * The nearest pill in a direction stays the same while Ms. Pac-Man goes along a corridor and that pill is active.
+     * So its distance from the junction ahead is kept. A pill on her own node does not disturb this. If her next step
+     * goes on along the corridor in the direction, the corridor is straight there, and the pill is at distance 0.
+     * Pills come back only when a level starts.
      */
 
     private static final long UNKNOWN = -1;
@@ -80,16 +82,13 @@ final class PillsLeft {
         if (count == 0) {
             return -1;
         }
-        boolean isHere = tables.isActiveAt(node, bits);
-        if (isHere && least == 0) {
+        if (least == 0 && tables.isActiveAt(node, bits)) {
             return 0;
         }
-        if (isHere
-                || !Routes.isStepAlong(knownRoute[direction], route)
-                || !PillTables.isActive(knownPill[direction], bits)) {
+        if (!Routes.isStepAlong(knownRoute[direction], route) || !PillTables.isActive(knownPill[direction], bits)) {
             find(node, direction, route);
         }
-        knownRoute[direction] = isHere ? UNKNOWN : route;
+        knownRoute[direction] = route;
         return Routes.steps(route) + knownSteps[direction];
     }
 
