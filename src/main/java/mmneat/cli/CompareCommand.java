@@ -67,6 +67,12 @@ final class CompareCommand extends ConsoleCommand implements Runnable {
 
     @Override
     public void run() {
+        if (csv != null) {
+            OutputFile.require("csv", csv);
+        }
+        if (latex != null) {
+            OutputFile.require("latex", latex);
+        }
         List<Experiment> experiments = experimentsArgument.find(this);
         List<ExperimentComparison> comparisons = ExperimentComparison.ofEachVersion(
                 experiments, ExperimentComparison.Scores.valueOf(scores.toUpperCase(Locale.ROOT)), paper);

@@ -95,6 +95,10 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
 
     @Override
     public void run() {
+        OutputFile.require("out", out);
+        if (figuresFolder != null) {
+            OutputFile.requireFolder("figures", figuresFolder);
+        }
         List<Experiment> experiments = experimentsArgument.find(this);
         boolean published = experiments.stream().anyMatch(ReportCommand::isPublished);
         ExperimentReport report = new ExperimentReport(

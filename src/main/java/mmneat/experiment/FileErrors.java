@@ -3,6 +3,7 @@ package mmneat.experiment;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
@@ -24,6 +25,9 @@ public final class FileErrors {
         }
         if (e instanceof AccessDeniedException) {
             return "permission denied";
+        }
+        if (e instanceof FileAlreadyExistsException existing) {
+            return existing.getFile() + " exists and is not a folder";
         }
         if (e instanceof CharacterCodingException) {
             return "it is not a text in UTF-8";

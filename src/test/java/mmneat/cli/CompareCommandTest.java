@@ -125,7 +125,6 @@ class CompareCommandTest extends CommandTest {
         assertThat(execute("compare", base.resolve("blended").toString())).isZero();
         assertThat(out.toString()).containsPattern("2M +8 ").doesNotContain("not finished");
 
-        out.getBuffer().setLength(0);
         Files.writeString(stopped, parameters + "stopAt=1e9\n");
         assertThat(execute("compare", base.resolve("blended").toString())).isZero();
         assertThat(out.toString()).containsPattern("2M +7 ").contains("run 0 (not finished: generation 1 of 200)");
@@ -154,6 +153,26 @@ class CompareCommandTest extends CommandTest {
         assertThat(execute("compare", base.resolve("blended").toString(), "scores=evaluation"))
                 .isEqualTo(2);
         assertThat(errors.toString().lines()).singleElement().asString().contains("run evaluate on it first");
+    }
+
+    @Test
+    void filesThatCannotBeWritten_areRefusedAtOnce() throws IOException {
+        twoMethods();
+        String experiment = base.resolve("blended").toString();
+        Path file = Files.createFile(base.resolve("file"));
+        Path below = file.resolve("below");
+        assertMistake("csv=" + base + ": this is a folder; name a file in it", "compare", experiment, "csv=" + base);
+        assertMistake("latex=" + below + ": cannot be written", "compare", experiment, "latex=" + below);
+        assertMistake("out=" + base + ": this is a folder; name a file in it", "report", experiment, "out=" + base);
+        assertMistake("figures=" + below + ": " + file + " is a file", "report", experiment, "figures=" + below);
+        assertThat(base).isDirectoryNotContaining("glob:**report*");
+    }
+
+    @Test
+    void missingFolder_isToldFromOneWithoutFinishedRuns() {
+        Path missing = base.resolve("missing");
+        assertMistake(missing + ": there is no such folder", "compare", missing.toString());
+        assertMistake(base + ": no finished run is found there", "compare", base.toString());
     }
 
     @Test

@@ -38,9 +38,11 @@ public final class ExperimentFinder {
         for (Path path : paths) {
             Map<Path, List<RunResult>> found = group(runFolders(path));
             if (found.isEmpty()) {
-                throw new UserError(
-                        path + ": no finished run is found there; give the folder of an experiment, for example"
-                                + " results/blended or results/blended/2M");
+                throw new UserError(path
+                        + (Files.isDirectory(path)
+                                ? ": no finished run is found there"
+                                : ": there is no such folder, and no finished run whose folder's name begins so")
+                        + "; give the folder of an experiment, for example results/blended or results/blended/2M");
             }
             // The same run may be meant twice, for instance by results/blended/2M and results/blended/2M0.
             found.forEach((stem, runs) -> groups.merge(stem, runs, ExperimentFinder::union));

@@ -32,6 +32,24 @@ public final class OutputFile {
         }
     }
 
+    /**
+     * Checks that files can be written into a folder, before a long computation. It may be missing.
+     *
+     * @param word the option with this folder, for messages
+     */
+    public static void requireFolder(String word, Path folder) {
+        Path place = folder.toAbsolutePath();
+        while (place != null && !Files.exists(place)) {
+            place = place.getParent();
+        }
+        if (place != null && !Files.isDirectory(place)) {
+            throw new UserError(word + "=" + folder + ": " + place + " is a file; name a folder");
+        }
+        if (place != null && !Files.isWritable(place)) {
+            throw new UserError(word + "=" + folder + ": cannot be written; name another place");
+        }
+    }
+
     /** Writes a text, and makes missing folders. */
     public static void write(Path file, String text) {
         write(file, text.getBytes(StandardCharsets.UTF_8));
