@@ -1,7 +1,8 @@
 """Double pole balancing with velocities with neat-python, as DoublePoleTask.java has it.
 
 double_pole_neat_python.py CONFIG cost POPULATION GENERATIONS STEPS   processor time per evaluation of STEPS decisions
-double_pole_neat_python.py CONFIG solve SEEDS GENERATIONS STEPS       evaluations until the poles stay up for STEPS
+double_pole_neat_python.py CONFIG solve SEEDS GENERATIONS STEPS       evaluations until the poles stay up for STEPS,
+                                                                      and numbers of species
 """
 
 import math
@@ -90,6 +91,16 @@ def evaluator(steps, starts_again):
     return evaluate
 
 
+class SpeciesCounter(neat.reporting.BaseReporter):
+    """Records how many species each evaluated generation has."""
+
+    def __init__(self):
+        self.counts = []
+
+    def post_evaluate(self, config, population, species, best_genome):
+        self.counts.append(len(species.species))
+
+
 config = neat.Config(
     neat.DefaultGenome, neat.DefaultReproduction, neat.DefaultSpeciesSet, neat.DefaultStagnation, sys.argv[1]
 )
@@ -110,14 +121,21 @@ else:
     config.no_fitness_termination = False
     config.fitness_threshold = steps
     needed = []
+    counter = SpeciesCounter()
     for seed in range(number):
         evaluations = 0
         random.seed(seed)
         try:
-            winner = neat.Population(config).run(evaluator(steps, False), generations)
+            population = neat.Population(config)
+            population.add_reporter(counter)
+            winner = population.run(evaluator(steps, False), generations)
         except neat.CompleteExtinctionException:
             continue
         if winner.fitness >= steps:
             needed.append(evaluations)
     middle = f", median {statistics.median(needed):.0f} evaluations" if needed else ""
-    print(f"neat-python: {len(needed)} of {number} seeds solved{middle}")
+    species = statistics.mean(counter.counts)
+    print(
+        f"neat-python: {len(needed)} of {number} seeds solved{middle}; {species:.1f} species in the mean generation,"
+        f" {max(counter.counts)} at most"
+    )
