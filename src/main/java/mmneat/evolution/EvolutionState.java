@@ -6,7 +6,6 @@ import mmneat.neat.ActivationFunction;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.ModuleLayout;
-import mmneat.neat.NodeGene;
 import mmneat.random.ResumableRandom;
 import org.jspecify.annotations.Nullable;
 
@@ -107,12 +106,10 @@ public record EvolutionState(
     }
 
     private static void requireKnownFunctions(Genotype genotype, ActivationFunction activation) {
-        for (NodeGene node : genotype.nodes()) {
-            if (node.activation().isOwn() && !node.activation().equals(activation)) {
-                throw new IllegalArgumentException(genotype + " has a neuron with the activation function "
-                        + node.activation() + ", but the settings have " + activation);
-            }
-        }
+        genotype.ownFunctionOtherThan(activation).ifPresent(unknown -> {
+            throw new IllegalArgumentException(genotype + " has a neuron with the activation function " + unknown
+                    + ", but the settings have " + activation);
+        });
     }
 
     /** Returns this state with an activation function put into the neurons that have its name. */

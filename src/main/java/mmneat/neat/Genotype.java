@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -157,6 +158,14 @@ public final class Genotype {
             }
         }
         return names;
+    }
+
+    /** Returns the first activation function of the user's own in this genotype that is not the allowed one. */
+    public Optional<ActivationFunction> ownFunctionOtherThan(ActivationFunction allowed) {
+        return nodes.stream()
+                .map(NodeGene::activation)
+                .filter(function -> function.isOwn() && !function.equals(allowed))
+                .findFirst();
     }
 
     /** Returns this genotype with the operator applied to the activation function of each neuron. */

@@ -38,12 +38,7 @@ public record OwnPart(String description) {
      * @throws BadPartException if the call throws an exception or the number is not finite
      */
     public double number(DoubleSupplier method) {
-        double number;
-        try {
-            number = method.getAsDouble();
-        } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
-            throw new BadPartException(description, e);
-        }
+        double number = call(method::getAsDouble);
         if (!Double.isFinite(number)) {
             throw bad("gave " + number + "; it must give a finite number");
         }

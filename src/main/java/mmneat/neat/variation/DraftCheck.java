@@ -7,7 +7,6 @@ import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.GenotypeDraft;
 import mmneat.neat.ModuleLayout;
-import mmneat.neat.NodeGene;
 import mmneat.neat.OwnPart;
 
 /**
@@ -53,12 +52,10 @@ record DraftCheck(OwnPart operator, ActivationFunction activation) {
             throw new IllegalArgumentException("moduleUsage: has " + network.moduleUsage().length
                     + " numbers, more than the " + network.modules() + " modules");
         }
-        for (NodeGene node : network.nodes()) {
-            if (node.activation().isOwn() && !node.activation().equals(activation)) {
-                throw new IllegalArgumentException("a neuron has the activation function " + node.activation()
-                        + "; it must be built in or that of the evolution, " + activation);
-            }
-        }
+        network.ownFunctionOtherThan(activation).ifPresent(other -> {
+            throw new IllegalArgumentException("a neuron has the activation function " + other
+                    + "; it must be built in or that of the evolution, " + activation);
+        });
         pool.state().requireOwn(List.of(network));
     }
 }
