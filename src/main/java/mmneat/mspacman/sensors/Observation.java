@@ -222,7 +222,7 @@ public final class Observation {
 
     /** Whether Ms. Pac-Man can eat a ghost. */
     public boolean isEdible(int ghost) {
-        return ghosts.edibleTime(ghost) > 0;
+        return ghosts.isEdible(ghost);
     }
 
     /** Whether a ghost is neither edible nor on the lair's node. */

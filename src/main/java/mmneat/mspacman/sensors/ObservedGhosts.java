@@ -86,7 +86,7 @@ final class ObservedGhosts {
         threats = 0;
         for (int ghost = 0; ghost < GHOSTS; ghost++) {
             highestEdibleTime = Math.max(highestEdibleTime, edibleTime[ghost]);
-            if (edibleTime[ghost] > 0) {
+            if (isEdible(ghost)) {
                 edibleCount++;
             } else if (isThreat(ghost)) {
                 threats++;
@@ -160,6 +160,10 @@ final class ObservedGhosts {
         return lairTime[ghost] == 0;
     }
 
+    boolean isEdible(int ghost) {
+        return edibleTime[ghost] > 0;
+    }
+
     boolean isThreat(int ghost) {
         return edibleTime[ghost] == 0 && node[ghost] != tables.graph.lair();
     }
@@ -212,7 +216,7 @@ final class ObservedGhosts {
         int left = n;
         for (int position = 0; position < outside; position++) {
             int ghost = orderKeys[position] & 3;
-            if (edibleTime[ghost] > 0 == edible && left-- == 0) {
+            if (isEdible(ghost) == edible && left-- == 0) {
                 return ghost;
             }
         }

@@ -114,7 +114,7 @@ final class StandardInputs {
             if (ghost < 0) {
                 break;
             }
-            if (ghosts.edibleTime(ghost) > 0) {
+            if (ghosts.isEdible(ghost)) {
                 writeGhostOfKind(ghosts, ghost, activations, edibleGhost);
                 edibleGhost += perRank;
             } else {
