@@ -60,7 +60,8 @@ class ArchitectureTest {
             uses("mmneat.neat.io", "mmneat.neat"),
             uses("mmneat.nsga2", "mmneat.random"),
             uses("mmneat.evolution", "mmneat.neat", "mmneat.neat.variation", "mmneat.nsga2", "mmneat.random"),
-            uses("mmneat.mspacman.sensors", "mmneat.neat.network", "pacman..", "mmneat.random"),
+            uses("mmneat.mspacman.sensors", "pacman.."),
+            uses("mmneat.mspacman.sensors.suite", "mmneat.mspacman.sensors", "mmneat.neat.network", "pacman.."),
             uses("mmneat.mspacman.modules", "mmneat.mspacman.sensors", "pacman.."),
             uses("mmneat.mspacman.objectives", "mmneat.evolution", "pacman.."),
             uses(

@@ -1,8 +1,8 @@
 package mmneat.mspacman;
 
 import mmneat.mspacman.modules.ModuleDivision;
-import mmneat.mspacman.sensors.NetworkInputs;
 import mmneat.mspacman.sensors.Observation;
+import mmneat.mspacman.sensors.suite.NetworkInputs;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.ModuleArbitration;

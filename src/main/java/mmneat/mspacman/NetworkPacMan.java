@@ -4,7 +4,7 @@ import mmneat.mspacman.modules.AnyGhostEdible;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ThreatEdibleOrBoth;
 import mmneat.mspacman.sensors.SensorSettings;
-import mmneat.mspacman.sensors.SensorSuite;
+import mmneat.mspacman.sensors.suite.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.ModuleArbitration;
 import mmneat.random.ResumableRandom;

@@ -9,7 +9,7 @@ import mmneat.evolution.Evaluation;
 import mmneat.mspacman.ModuleUse.When;
 import mmneat.mspacman.modules.AnyGhostEdible;
 import mmneat.mspacman.sensors.SensorSettings;
-import mmneat.mspacman.sensors.SensorSuite;
+import mmneat.mspacman.sensors.suite.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.neat.ModuleLayout;
 import mmneat.neat.network.ModuleArbitration;

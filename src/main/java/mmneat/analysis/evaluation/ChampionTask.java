@@ -13,7 +13,7 @@ import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.parameters.Tasks;
 import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.sensors.SensorSettings;
-import mmneat.mspacman.sensors.SensorSuite;
+import mmneat.mspacman.sensors.suite.SensorSuite;
 import mmneat.neat.Genotype;
 
 /** Determines the task of a champion: the task of its run, or the published task that fits its network. */

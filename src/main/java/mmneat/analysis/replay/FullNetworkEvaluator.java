@@ -2,8 +2,8 @@ package mmneat.analysis.replay;
 
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.modules.ModuleDivision;
-import mmneat.mspacman.sensors.NetworkInputs;
-import mmneat.mspacman.sensors.SensorSuite;
+import mmneat.mspacman.sensors.suite.NetworkInputs;
+import mmneat.mspacman.sensors.suite.SensorSuite;
 import mmneat.neat.Genotype;
 import mmneat.neat.network.Network;
 import mmneat.neat.network.NetworkState;

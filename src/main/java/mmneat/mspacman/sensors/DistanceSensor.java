@@ -5,7 +5,7 @@ package mmneat.mspacman.sensors;
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 4.4 and 4.6.
  */
-interface DistanceSensor extends GradedSensor {
+public interface DistanceSensor extends GradedSensor {
 
     /** Distance in steps from which on the value is 1. */
     int FAR = 200;

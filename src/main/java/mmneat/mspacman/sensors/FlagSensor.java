@@ -1,7 +1,7 @@
 package mmneat.mspacman.sensors;
 
 /** A sensor with two values: 1 if a fact about the game holds, else 0. */
-interface FlagSensor extends GradedSensor {
+public interface FlagSensor extends GradedSensor {
 
     /** Whether the fact holds in an observation: then the value is 1, else 0. */
     boolean holds(Observation observation);

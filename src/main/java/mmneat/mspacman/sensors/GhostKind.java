@@ -1,7 +1,7 @@
 package mmneat.mspacman.sensors;
 
 /** The two kinds of ghosts outside the lair. */
-enum GhostKind {
+public enum GhostKind {
     /** A ghost that catches Ms. Pac-Man. */
     THREAT("Threat"),
     /** A ghost that Ms. Pac-Man can eat. */
@@ -14,7 +14,7 @@ enum GhostKind {
     }
 
     /** The original's word for this kind in sensor labels. */
-    String label() {
+    public String label() {
         return label;
     }
 }

@@ -56,7 +56,7 @@ public final class Observation {
     // ---- Taking in the state ----
 
     /** Takes in the state of a game. */
-    void observe(Game observed, SensorTables maze) {
+    public void observe(Game observed, SensorTables maze) {
         game = observed;
         enter(maze, observed.getMazeIndex());
         placePacMan(observed.getPacmanCurrentNodeIndex());
@@ -136,11 +136,6 @@ public final class Observation {
 
     // ---- For classes of this package ----
 
-    /** The ghosts. */
-    ObservedGhosts ghosts() {
-        return ghosts;
-    }
-
     SensorTables tables() {
         return tables;
     }
@@ -164,7 +159,7 @@ public final class Observation {
      * One number for everything that the published non-directional sensors depend on: highest edible time, whether a
      * power pill is close, and the numbers of edible ghosts, threats, power pills and pills.
      */
-    long commonState() {
+    public long commonState() {
         return (long) ghosts.highestEdibleTime() << 32
                 | (isCloseToPowerPill() ? 1L << 31 : 0)
                 | (long) (ghosts.edibleCount() << 28
@@ -344,7 +339,7 @@ public final class Observation {
      * @param n from 0
      * @return its number, or -1 if there are no more than n
      */
-    int nthNearestGhost(int n, GhostKind kind) {
+    public int nthNearestGhost(int n, GhostKind kind) {
         return ghosts.nthNearest(n, kind);
     }
 
@@ -363,6 +358,11 @@ public final class Observation {
      */
     public boolean isTrapped(int ghost) {
         return ghosts.isTrapped(ghost);
+    }
+
+    /** Facts about a ghost outside the lair in this direction: bit 0 approaching, bit 1 trapped, bit 2 edible. */
+    public int ghostFlags(int ghost) {
+        return ghosts.flags(ghost);
     }
 
     /** Most active pills on a walk of the look-ahead depth in this direction that never turns back. */

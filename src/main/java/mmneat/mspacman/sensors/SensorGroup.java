@@ -35,6 +35,6 @@ public enum SensorGroup {
      * ever ({@code infiniteEdibleTime}).
      */
     EDIBLE_PROPORTIONS,
-    /** Number of safe moves at the next junction, {@link OptionsAfterJunction} ({@code highLevel}). */
+    /** Number of safe moves at the next junction, {@link Observation#safeOptionsAfterJunction} ({@code highLevel}). */
     OPTIONS_AFTER_JUNCTION
 }

@@ -72,19 +72,19 @@ public record SensorSettings(
     }
 
     /** Whether a group of sensors is there. */
-    boolean has(SensorGroup group) {
+    public boolean has(SensorGroup group) {
         return groups.contains(group);
     }
 
     /** The same with another group of sensors. */
-    SensorSettings with(SensorGroup group) {
+    public SensorSettings with(SensorGroup group) {
         EnumSet<SensorGroup> more = EnumSet.of(group);
         more.addAll(groups);
         return withGroups(more);
     }
 
     /** The same without a group of sensors. */
-    SensorSettings without(SensorGroup group) {
+    public SensorSettings without(SensorGroup group) {
         EnumSet<SensorGroup> fewer = EnumSet.allOf(SensorGroup.class);
         fewer.retainAll(groups);
         fewer.remove(group);

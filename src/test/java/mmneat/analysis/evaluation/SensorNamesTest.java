@@ -6,7 +6,7 @@ import java.util.EnumSet;
 import java.util.List;
 import mmneat.mspacman.sensors.SensorGroup;
 import mmneat.mspacman.sensors.SensorSettings;
-import mmneat.mspacman.sensors.SensorSuite;
+import mmneat.mspacman.sensors.suite.SensorSuite;
 import org.junit.jupiter.api.Test;
 
 class SensorNamesTest {

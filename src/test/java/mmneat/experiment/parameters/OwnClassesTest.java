@@ -11,7 +11,7 @@ import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.sensors.Observation;
 import mmneat.mspacman.sensors.Sensor;
-import mmneat.mspacman.sensors.SensorSuite;
+import mmneat.mspacman.sensors.suite.SensorSuite;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

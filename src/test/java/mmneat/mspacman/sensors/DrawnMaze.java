@@ -6,7 +6,7 @@ import pacman.maze.MazeTables;
  * An asymmetric maze with features that the competition's mazes lack: junctions and pills close together, loops
  * shorter than a walk, corridors of a single node, power pills on junctions.
  */
-final class DrawnMaze {
+public final class DrawnMaze {
 
     private static final String DRAWING = """
             #......##....o.....##......#
@@ -44,11 +44,11 @@ final class DrawnMaze {
 
     private DrawnMaze() {}
 
-    static MazeTables maze() {
+    public static MazeTables maze() {
         return MazeTables.parse("drawn", DRAWING);
     }
 
-    static MazeTables withoutPowerPills() {
+    public static MazeTables withoutPowerPills() {
         return MazeTables.parse("drawn without power pills", DRAWING.replaceAll("o(?=[#.o]*#\n)", "."));
     }
 }

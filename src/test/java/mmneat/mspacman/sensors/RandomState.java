@@ -6,9 +6,9 @@ import mmneat.random.ResumableRandom;
 import pacman.maze.MazeGraph;
 
 /** Positions, timers and pills drawn at random: legal for sensors, not necessarily reachable in a game. */
-final class RandomState {
+public final class RandomState {
 
-    final int pacMan;
+    public final int pacMan;
     final int[] ghostNode = new int[4];
     final int[] edible = new int[4];
     final int[] lair = new int[4];
@@ -17,7 +17,7 @@ final class RandomState {
     final long powerPills;
     private List<Integer> activePillNodes;
 
-    RandomState(MazeGraph graph, ResumableRandom random) {
+    public RandomState(MazeGraph graph, ResumableRandom random) {
         pacMan = random.nextInt(graph.lair());
         boolean crowded = random.nextInt(3) == 0;
         for (int ghost = 0; ghost < 4; ghost++) {
@@ -42,7 +42,7 @@ final class RandomState {
      * A state one step later: Ms. Pac-Man moves in a direction and mostly eats what is on her new node, ghosts outside
      * the lair move without turning back.
      */
-    RandomState afterStep(MazeGraph graph, int direction, ResumableRandom random) {
+    public RandomState afterStep(MazeGraph graph, int direction, ResumableRandom random) {
         RandomState next = new RandomState(this, graph.neighbour(pacMan, direction));
         for (int ghost = 0; ghost < 4; ghost++) {
             next.edible[ghost] = Math.max(0, edible[ghost] - 1);
@@ -142,8 +142,7 @@ final class RandomState {
     }
 
     /** Shows the state to sensors. */
-    void show(NetworkInputs senses, SensorTables tables) {
-        Observation observation = senses.observation();
+    public void show(Observation observation, SensorTables tables) {
         observation.enter(tables, 0);
         observation.placePacMan(pacMan);
         for (int word = 0; word < pills.length; word++) {
@@ -154,7 +153,6 @@ final class RandomState {
             observation.placeGhost(ghost, ghostNode[ghost], edible[ghost], lair[ghost], lastMove[ghost]);
         }
         observation.conclude();
-        senses.senseCommon();
     }
 
     @Override

@@ -14,14 +14,14 @@ import pacman.maze.MazeTables;
  * A plain reference implementation of the sensors, which searches, lists and compares whole paths. It is slow and uses
  * none of the tables of the fast form. Source: docs/specification/mspacman-task.md, section 4.
  */
-final class ReferenceSensors {
+public final class ReferenceSensors {
 
     private final RandomState state;
     private final MazeGraph graph;
     private final MazePaths paths;
     private final MazeDistances distances;
 
-    ReferenceSensors(MazeTables maze, RandomState state) {
+    public ReferenceSensors(MazeTables maze, RandomState state) {
         this.state = state;
         graph = maze.graph();
         paths = maze.paths();
@@ -29,7 +29,7 @@ final class ReferenceSensors {
     }
 
     /** All inputs in a direction; published sensors that can be left out are there. */
-    double[] inputs(int d, SensorSettings settings) {
+    public double[] inputs(int d, SensorSettings settings) {
         List<Double> inputs = new ArrayList<>();
         inputs.add(1.0);
         inputs.add(scaled(nearestLength(state.activePillNodes(graph), d)));
