@@ -12,7 +12,6 @@ import org.jspecify.annotations.Nullable;
 import pacman.controllers.NewGhostController;
 import pacman.controllers.examples.Legacy;
 import pacman.game.GameRules;
-import pacman.game.GameSwitch;
 import pacman.game.GhostLocations;
 
 /**
@@ -95,9 +94,7 @@ public record MsPacManTaskSettings(
 
     /** The published isolated version, for networks with preference neurons. */
     public static MsPacManTaskSettings isolated(GhostLocations locations) {
-        GameRules rules = GameRules.interleaved()
-                .withSwitches(GameSwitch.PILL_TASK)
-                .withGhosts(ghosts -> ghosts.withGhostLocations(locations));
+        GameRules rules = GameRules.isolatedPills().withGhosts(ghosts -> ghosts.withGhostLocations(locations));
         return published(TaskVersion.ISOLATED, rules, SensorSettings.imprisoned());
     }
 

@@ -1,7 +1,6 @@
 package mmneat.mspacman;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import pacman.game.GameRules;
@@ -23,29 +22,31 @@ public record TrialGame(String name, GameRules rules, boolean countsGhosts) {
     /** Power pills at which the ghost-eating games start, one game each. */
     private static final int CORNERS = 4;
 
+    /** Switches of a full game that the ghost-eating games do not have. */
+    private static final Set<GameSwitch> OFF_IN_GHOST_GAMES = Set.of(
+            GameSwitch.END_ONLY_ON_TIME_LIMIT,
+            GameSwitch.END_AFTER_POWER_PILLS_EATEN,
+            GameSwitch.RANDOM_LAIR_EXIT,
+            GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS);
+
     /** The games of a trial, in the order in which they are played. */
     public static List<TrialGame> of(TaskVersion version, GameRules rules) {
         if (version != TaskVersion.ISOLATED) {
             return List.of(new TrialGame("", rules, true));
         }
-        GameRules imprisoned = rules.withGhosts(ghosts -> ghosts.withImprisonedWhileEdible(true));
+        GameRules imprisoned = rules.with(Set.of(GameSwitch.IMPRISONED_WHILE_EDIBLE));
         List<TrialGame> games = new ArrayList<>();
-        games.add(new TrialGame("PillTask", imprisoned.withSwitches(withoutPowerPills(rules.switches())), false));
+        games.add(new TrialGame("PillTask", imprisoned.with(Set.of(GameSwitch.WITHOUT_POWER_PILLS)), false));
         for (int i = 0; i < CORNERS; i++) {
             int corner = i;
             games.add(new TrialGame(
                     "GhostTask" + corner,
                     imprisoned
-                            .withSwitches(GameSwitch.GHOST_TASK)
+                            .without(OFF_IN_GHOST_GAMES)
+                            .with(GameSwitch.GHOST_TASK)
                             .withMazes(mazes -> mazes.withStartingPowerPill(corner)),
                     true));
         }
         return List.copyOf(games);
-    }
-
-    private static Set<GameSwitch> withoutPowerPills(Set<GameSwitch> on) {
-        EnumSet<GameSwitch> more = EnumSet.of(GameSwitch.WITHOUT_POWER_PILLS);
-        more.addAll(on);
-        return more;
     }
 }

@@ -114,8 +114,11 @@ public record GameRules(
     public static GameRules competition() {
         return mmneat().withConventions(Conventions.COMPETITION)
                 .withCopies(Copies.ARE_INDEPENDENT)
-                .withLevels(unused -> new LevelRules(
-                        Constants.NUM_LIVES, true, Integer.MAX_VALUE, Constants.LEVEL_LIMIT, false, false));
+                .withLevels(levels -> levels.withLives(Constants.NUM_LIVES)
+                        .withExtraLife(true)
+                        .withMaximumLevel(Integer.MAX_VALUE)
+                        .withLevelTimeLimit(Constants.LEVEL_LIMIT)
+                        .withFatalTimeLimit(false));
     }
 
     /** MM-NEAT's defaults: the blended game with practically no level time limit. */
@@ -137,7 +140,7 @@ public record GameRules(
 
     /** The interleaved task of the paper: eaten ghosts stay in the lair while another is edible. */
     public static GameRules interleaved() {
-        return blended().withGhosts(ghosts -> ghosts.withImprisonedWhileEdible(true));
+        return blended().with(Set.of(GameSwitch.IMPRISONED_WHILE_EDIBLE));
     }
 
     /**
@@ -146,7 +149,7 @@ public record GameRules(
      * start ({@link #isolatedGhosts}).
      */
     public static GameRules isolatedPills() {
-        return interleaved().withSwitches(GameSwitch.PILL_TASK);
+        return interleaved().with(GameSwitch.PILL_TASK);
     }
 
     /**
@@ -159,7 +162,7 @@ public record GameRules(
     public static GameRules isolatedGhosts(int startingPowerPill, GhostLocations ghostLocations) {
         return interleaved()
                 .withGhosts(ghosts -> ghosts.withGhostLocations(ghostLocations))
-                .withSwitches(GameSwitch.GHOST_TASK)
+                .with(GameSwitch.GHOST_TASK)
                 .withMazes(mazes -> mazes.withStartingPowerPill(startingPowerPill));
     }
 
@@ -168,8 +171,12 @@ public record GameRules(
      * credit for remaining pills, independent copies.
      */
     public static GameRules mpmVsGhosts() {
-        return mmneat().withCopies(Copies.ARE_INDEPENDENT)
-                .withLevels(unused -> new LevelRules(Constants.NUM_LIVES, true, 16, 3000, false, true));
+        return mmneat().withCopies(Copies.ARE_INDEPENDENT).withLevels(levels -> levels.withLives(Constants.NUM_LIVES)
+                .withExtraLife(true)
+                .withMaximumLevel(16)
+                .withCreditForRemainingPills(true)
+                .withLevelTimeLimit(3000)
+                .withFatalTimeLimit(false));
     }
 
     /**
@@ -210,6 +217,22 @@ public record GameRules(
     /** Returns these rules with other rules for the pills. */
     public GameRules withPills(UnaryOperator<PillRules> change) {
         return new GameRules(conventions, copies, mazes, levels, ghosts, change.apply(pills), switches);
+    }
+
+    /** Returns these rules with more switches on. */
+    public GameRules with(Set<GameSwitch> on) {
+        Set<GameSwitch> changed = EnumSet.noneOf(GameSwitch.class);
+        changed.addAll(switches);
+        changed.addAll(on);
+        return withSwitches(changed);
+    }
+
+    /** Returns these rules with some switches off. */
+    public GameRules without(Set<GameSwitch> off) {
+        Set<GameSwitch> changed = EnumSet.allOf(GameSwitch.class);
+        changed.retainAll(switches);
+        changed.removeAll(off);
+        return withSwitches(changed);
     }
 
     /** Returns these rules with exactly the given switches on. */

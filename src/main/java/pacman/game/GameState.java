@@ -1,11 +1,11 @@
 package pacman.game;
 
-import static pacman.game.GameSwitch.END_AFTER_GHOST_EATING_CHANCES;
-import static pacman.game.GameSwitch.END_AFTER_POWER_PILLS_EATEN;
-import static pacman.game.GameSwitch.GHOSTS_START_OUTSIDE_LAIR;
+import static pacman.game.GameSwitch.END_ONLY_ON_TIME_LIMIT;
+import static pacman.game.GameSwitch.EXIT_LAIR_EDIBLE;
 import static pacman.game.GameSwitch.LAIR_EXIT_DATABASE;
-import static pacman.game.GameSwitch.ONLY_ONE_LAIR_EXIT;
+import static pacman.game.GameSwitch.RANDOM_LAIR_EXIT;
 import static pacman.game.GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS;
+import static pacman.game.GameSwitch.SIMULTANEOUS_LAIR_EXIT;
 import static pacman.game.GameSwitch.WITHOUT_PILLS;
 import static pacman.game.GameSwitch.WITHOUT_POWER_PILLS;
 
@@ -45,15 +45,15 @@ final class GameState {
     /** Times a ghost was eaten in this game. */
     static final int EATEN = 12;
 
-    // Quirk of the original: the other switches are off in copies.
-    private static final int SWITCHES_IN_COPIES = Stream.of(
-                    GHOSTS_START_OUTSIDE_LAIR,
-                    ONLY_ONE_LAIR_EXIT,
-                    END_AFTER_GHOST_EATING_CHANCES,
-                    WITHOUT_PILLS,
-                    WITHOUT_POWER_PILLS,
-                    END_AFTER_POWER_PILLS_EATEN)
-            .mapToInt(on -> on.bit)
+    // Quirk of the original: these switches are off in copies.
+    private static final int LOST_IN_COPIES = Stream.of(
+                    EXIT_LAIR_EDIBLE,
+                    END_ONLY_ON_TIME_LIMIT,
+                    RANDOM_LAIR_EXIT,
+                    LAIR_EXIT_DATABASE,
+                    SIMULTANEOUS_LAIR_EXIT,
+                    REMOVE_PILLS_NEAR_POWER_PILLS)
+            .mapToInt(lost -> lost.bit)
             .sum();
 
     private static final GHOST[] GHOST_TYPES = GHOST.values();
@@ -205,7 +205,7 @@ final class GameState {
             pillEaten = other.pillEaten;
             powerPillEaten = other.powerPillEaten;
         } else {
-            switches = other.switches & SWITCHES_IN_COPIES;
+            switches = other.switches & ~LOST_IN_COPIES;
         }
     }
 

@@ -99,7 +99,7 @@ final class GameStep {
             if (nearest > state.rules.pills().closeGhostDistance()) {
                 state.powerPillsEatenWhenGhostFar++;
             }
-        } else if (state.rules.pills().dieOnImproperPowerPillEating()) {
+        } else if (state.has(GameSwitch.DIE_ON_IMPROPER_POWER_PILL_EATING)) {
             state.gameOver = true;
             return;
         } else {
@@ -147,7 +147,7 @@ final class GameStep {
 
     private static boolean reverse(GameState state, boolean forced) {
         boolean event =
-                state.rules.ghosts().randomGhostReversals() && state.random.nextDouble() < Constants.GHOST_REVERSAL;
+                !state.has(GameSwitch.WITHOUT_RANDOM_REVERSALS) && state.random.nextDouble() < Constants.GHOST_REVERSAL;
         if (!forced && !event && !state.powerPillEaten || state.levelTime <= 1) {
             return false;
         }
@@ -311,7 +311,7 @@ final class GameStep {
     }
 
     private static void endEdibleTime(GameState state, int ghost) {
-        if (state.rules.ghosts().infiniteEdibleTime()) {
+        if (state.has(GameSwitch.INFINITE_EDIBLE_TIME)) {
             state.ghosts[EDIBLE + ghost] = 2;
             return;
         }
@@ -362,7 +362,7 @@ final class GameStep {
             if (!due) {
                 continue;
             }
-            if (state.rules.ghosts().imprisonedWhileEdible() && state.isAnyEdible()) {
+            if (state.has(GameSwitch.IMPRISONED_WHILE_EDIBLE) && state.isAnyEdible()) {
                 ghosts[LAIR + ghost] += state.scaledTime(state.rules.ghosts().lairTime());
             } else {
                 exit = true;

@@ -5,8 +5,9 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Optional rules that MM-NEAT's tasks switch on for a game: in {@link GameRules}, or by setters of {@link Game}. All
- * are off in the competition; the sentence at each constant says what happens when it is on.
+ * Optional rules that MM-NEAT's tasks switch on for a game in {@link GameRules}. {@link Game} has setters for those
+ * that the original changes during a game. All are off in the competition; the sentence at each constant says what
+ * happens when it is on.
  *
  * <p>Source: docs/specification/simulator.md, section 7.
  */
@@ -34,7 +35,15 @@ public enum GameSwitch {
     /** There are no power pills. */
     WITHOUT_POWER_PILLS,
     /** A level ends when no power pill is left. */
-    END_AFTER_POWER_PILLS_EATEN;
+    END_AFTER_POWER_PILLS_EATEN,
+    /** Ghosts stay edible until they are eaten. */
+    INFINITE_EDIBLE_TIME,
+    /** No ghost leaves the lair while another is edible. */
+    IMPRISONED_WHILE_EDIBLE,
+    /** Ghosts do not reverse at random. */
+    WITHOUT_RANDOM_REVERSALS,
+    /** Eating a power pill ends the game unless all active ghosts are threats. */
+    DIE_ON_IMPROPER_POWER_PILL_EATING;
 
     /** The switches of the pill-eating game of the isolated task ({@link GameRules#isolatedPills}). */
     public static final Set<GameSwitch> PILL_TASK =

@@ -10,25 +10,19 @@ import org.jspecify.annotations.Nullable;
  *
  * @param activeGhosts number of ghosts that leave the lair, 0 to 4
  * @param edibleTime steps for which ghosts are edible in the first level
- * @param infiniteEdibleTime whether ghosts stay edible until they are eaten
  * @param lairTime steps for which an eaten ghost stays in the lair in the first level, at least 2
- * @param imprisonedWhileEdible whether no ghost leaves the lair while another is edible
- * @param randomGhostReversals whether ghosts reverse at random
  * @param ghostLocations where ghosts leave the lair under {@link GameSwitch#LAIR_EXIT_DATABASE}, only in the mazes of
  *     the competition; may be null without that switch
  */
 public record GhostRules(
         int activeGhosts,
         int edibleTime,
-        boolean infiniteEdibleTime,
         int lairTime,
-        boolean imprisonedWhileEdible,
-        boolean randomGhostReversals,
         @Nullable GhostLocations ghostLocations) {
 
     /** MM-NEAT's defaults: the four ghosts of the competition. */
-    static final GhostRules MM_NEAT = new GhostRules(
-            Constants.NUM_GHOSTS, Constants.EDIBLE_TIME, false, Constants.COMMON_LAIR_TIME, false, true, null);
+    static final GhostRules MM_NEAT =
+            new GhostRules(Constants.NUM_GHOSTS, Constants.EDIBLE_TIME, Constants.COMMON_LAIR_TIME, null);
 
     /** @throws IllegalArgumentException if a value is out of its range */
     public GhostRules {
@@ -40,61 +34,18 @@ public record GhostRules(
     }
 
     public GhostRules withActiveGhosts(int value) {
-        return new GhostRules(
-                value,
-                edibleTime,
-                infiniteEdibleTime,
-                lairTime,
-                imprisonedWhileEdible,
-                randomGhostReversals,
-                ghostLocations);
+        return new GhostRules(value, edibleTime, lairTime, ghostLocations);
     }
 
     public GhostRules withEdibleTime(int value) {
-        return new GhostRules(
-                activeGhosts,
-                value,
-                infiniteEdibleTime,
-                lairTime,
-                imprisonedWhileEdible,
-                randomGhostReversals,
-                ghostLocations);
-    }
-
-    public GhostRules withInfiniteEdibleTime(boolean value) {
-        return new GhostRules(
-                activeGhosts, edibleTime, value, lairTime, imprisonedWhileEdible, randomGhostReversals, ghostLocations);
+        return new GhostRules(activeGhosts, value, lairTime, ghostLocations);
     }
 
     public GhostRules withLairTime(int value) {
-        return new GhostRules(
-                activeGhosts,
-                edibleTime,
-                infiniteEdibleTime,
-                value,
-                imprisonedWhileEdible,
-                randomGhostReversals,
-                ghostLocations);
-    }
-
-    public GhostRules withImprisonedWhileEdible(boolean value) {
-        return new GhostRules(
-                activeGhosts, edibleTime, infiniteEdibleTime, lairTime, value, randomGhostReversals, ghostLocations);
-    }
-
-    public GhostRules withRandomGhostReversals(boolean value) {
-        return new GhostRules(
-                activeGhosts, edibleTime, infiniteEdibleTime, lairTime, imprisonedWhileEdible, value, ghostLocations);
+        return new GhostRules(activeGhosts, edibleTime, value, ghostLocations);
     }
 
     public GhostRules withGhostLocations(GhostLocations value) {
-        return new GhostRules(
-                activeGhosts,
-                edibleTime,
-                infiniteEdibleTime,
-                lairTime,
-                imprisonedWhileEdible,
-                randomGhostReversals,
-                value);
+        return new GhostRules(activeGhosts, edibleTime, lairTime, value);
     }
 }

@@ -9,16 +9,11 @@ package pacman.game;
  * @param closeGhostDistance path distance of the nearest threat beyond which a power pill counts as eaten with all
  *     ghosts far away; it only affects the counter {@link Game#getPowerPillsEatenWhenGhostFar}
  * @param powerPillPunishmentRate probability in [0, 1] that the game ends when a ghost's edible time ends
- * @param dieOnImproperPowerPillEating whether eating a power pill ends the game unless all active ghosts are threats
  */
-public record PillRules(
-        double preEatenPillPortion,
-        int closeGhostDistance,
-        double powerPillPunishmentRate,
-        boolean dieOnImproperPowerPillEating) {
+public record PillRules(double preEatenPillPortion, int closeGhostDistance, double powerPillPunishmentRate) {
 
     /** MM-NEAT's defaults: all pills, and no punishment. */
-    static final PillRules MM_NEAT = new PillRules(0, 35, 0, false);
+    static final PillRules MM_NEAT = new PillRules(0, 35, 0);
 
     /** @throws IllegalArgumentException if a value is out of its range */
     public PillRules {
@@ -27,18 +22,14 @@ public record PillRules(
     }
 
     public PillRules withPreEatenPillPortion(double value) {
-        return new PillRules(value, closeGhostDistance, powerPillPunishmentRate, dieOnImproperPowerPillEating);
+        return new PillRules(value, closeGhostDistance, powerPillPunishmentRate);
     }
 
     public PillRules withCloseGhostDistance(int value) {
-        return new PillRules(preEatenPillPortion, value, powerPillPunishmentRate, dieOnImproperPowerPillEating);
+        return new PillRules(preEatenPillPortion, value, powerPillPunishmentRate);
     }
 
     public PillRules withPowerPillPunishmentRate(double value) {
-        return new PillRules(preEatenPillPortion, closeGhostDistance, value, dieOnImproperPowerPillEating);
-    }
-
-    public PillRules withDieOnImproperPowerPillEating(boolean value) {
-        return new PillRules(preEatenPillPortion, closeGhostDistance, powerPillPunishmentRate, value);
+        return new PillRules(preEatenPillPortion, closeGhostDistance, value);
     }
 }

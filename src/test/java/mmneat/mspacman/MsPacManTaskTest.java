@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import mmneat.evolution.Evaluation;
 import mmneat.mspacman.ModuleUse.When;
 import mmneat.mspacman.modules.AnyGhostEdible;
@@ -195,12 +197,33 @@ class MsPacManTaskTest {
         assertThat(isolated.subList(1, 5))
                 .extracting(game -> game.rules().mazes().startingPowerPill())
                 .containsExactly(0, 1, 2, 3);
+        Set<GameSwitch> expected = EnumSet.of(GameSwitch.IMPRISONED_WHILE_EDIBLE);
+        expected.addAll(GameSwitch.GHOST_TASK);
         assertThat(isolated.subList(1, 5))
                 .extracting(game -> game.rules().switches())
-                .containsOnly(GameSwitch.GHOST_TASK);
+                .containsOnly(expected);
         assertThatThrownBy(() -> TrialGame.of(TaskVersion.ISOLATED, rules))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("ghostLocations");
+    }
+
+    @Test
+    void ghostGames_haveTheRulesOfAllGhostsAndPills_butNoOtherSwitchOfAFullGame() {
+        GameRules all = MsPacManTaskSettings.isolated(GhostLocations.shipped())
+                .rules()
+                .withSwitches(EnumSet.allOf(GameSwitch.class));
+        List<TrialGame> games = TrialGame.of(TaskVersion.ISOLATED, all);
+
+        assertThat(games.get(0).rules().switches()).isEqualTo(EnumSet.allOf(GameSwitch.class));
+        Set<GameSwitch> expected = EnumSet.of(
+                GameSwitch.INFINITE_EDIBLE_TIME,
+                GameSwitch.IMPRISONED_WHILE_EDIBLE,
+                GameSwitch.WITHOUT_RANDOM_REVERSALS,
+                GameSwitch.DIE_ON_IMPROPER_POWER_PILL_EATING);
+        expected.addAll(GameSwitch.GHOST_TASK);
+        assertThat(games.subList(1, 5))
+                .extracting(game -> game.rules().switches())
+                .containsOnly(expected);
     }
 
     @Test

@@ -96,7 +96,7 @@ class GameTest {
 
     @Test
     void competitionCopy_continuesTheSwitches() {
-        GameRules rules = GameRules.competition().withSwitches(GameSwitch.PILL_TASK);
+        GameRules rules = GameRules.competition().with(GameSwitch.PILL_TASK);
         Game copy = new Game(1, rules).copy();
         Game next = copy.copy();
         while (next.getCurrentLevel() == 0 && next.getCurrentLevelTime() < Constants.LEVEL_LIMIT) {

@@ -11,7 +11,7 @@ import pacman.game.GameRules.Conventions;
 /** Reads the rules of a trace file: parameters by their command line names, and switches. */
 final class TraceRules {
 
-    /** The names of the switches in a trace file. */
+    /** The names of the switches in a trace file that the original sets during a game. */
     private static final Map<GameSwitch, String> NAMES = new EnumMap<>(GameSwitch.class);
 
     static {
@@ -29,13 +29,26 @@ final class TraceRules {
         NAMES.put(GameSwitch.END_AFTER_POWER_PILLS_EATEN, "endAfterPowerPillsEaten");
     }
 
+    /** The names of the switches that a trace file lists among the parameters. */
+    private static final Map<GameSwitch, String> PARAMETERS = new EnumMap<>(Map.of(
+            GameSwitch.INFINITE_EDIBLE_TIME, "infiniteEdibleTime",
+            GameSwitch.IMPRISONED_WHILE_EDIBLE, "imprisonedWhileEdible",
+            GameSwitch.DIE_ON_IMPROPER_POWER_PILL_EATING, "dieOnImproperPowerPillEating"));
+
     private TraceRules() {}
+
+    /** The switches that the original sets during a game, so that they are off in a restored game. */
+    static Set<GameSwitch> setDuringGames() {
+        return NAMES.keySet();
+    }
 
     static GameRules read(JsonNode line, GhostLocations ghostLocations) {
         JsonNode params = line.get("params");
         JsonNode on = line.get("switches");
-        Set<GameSwitch> switches = EnumSet.allOf(GameSwitch.class);
-        switches.removeIf(each -> !on.get(NAMES.get(each)).asBoolean());
+        Set<GameSwitch> switches = EnumSet.noneOf(GameSwitch.class);
+        NAMES.forEach((each, written) -> setIf(on.get(written).asBoolean(), each, switches));
+        PARAMETERS.forEach((each, written) -> setIf(params.get(written).asBoolean(), each, switches));
+        setIf(!params.get("allowRandomGhostReversals").asBoolean(), GameSwitch.WITHOUT_RANDOM_REVERSALS, switches);
         return new GameRules(
                 Conventions.valueOf(params.path("conventions").asText("MM_NEAT")),
                 GameRules.Copies.CONTINUE_THE_GAME,
@@ -44,23 +57,25 @@ final class TraceRules {
                         params.get("pacmanLives").asInt(),
                         params.get("pacManGainsLives").asBoolean(),
                         params.get("pacmanMaxLevel").asInt(),
+                        params.get("getRemainingPills").asBoolean(),
                         params.get("pacManLevelTimeLimit").asInt(),
-                        params.get("pacmanFatalTimeLimit").asBoolean(),
-                        params.get("getRemainingPills").asBoolean()),
+                        params.get("pacmanFatalTimeLimit").asBoolean()),
                 new GhostRules(
                         params.get("numActiveGhosts").asInt(),
                         params.get("edibleTime").asInt(),
-                        params.get("infiniteEdibleTime").asBoolean(),
                         params.get("lairTime").asInt(),
-                        params.get("imprisonedWhileEdible").asBoolean(),
-                        params.get("allowRandomGhostReversals").asBoolean(),
                         ghostLocations),
                 new PillRules(
                         params.get("preEatenPillPercentage").asDouble(),
                         params.get("closeGhostDistance").asInt(),
-                        params.get("powerPillPunishmentRate").asDouble(),
-                        params.get("dieOnImproperPowerPillEating").asBoolean()),
+                        params.get("powerPillPunishmentRate").asDouble()),
                 switches);
+    }
+
+    private static void setIf(boolean on, GameSwitch each, Set<GameSwitch> switches) {
+        if (on) {
+            switches.add(each);
+        }
     }
 
     static void write(String name, GameRules rules, ObjectNode line) {
@@ -75,13 +90,15 @@ final class TraceRules {
                 .put("getRemainingPills", rules.levels().creditForRemainingPills())
                 .put("edibleTime", rules.ghosts().edibleTime())
                 .put("lairTime", rules.ghosts().lairTime())
-                .put("infiniteEdibleTime", rules.ghosts().infiniteEdibleTime())
-                .put("imprisonedWhileEdible", rules.ghosts().imprisonedWhileEdible())
-                .put("allowRandomGhostReversals", rules.ghosts().randomGhostReversals())
+                .put("infiniteEdibleTime", rules.switches().contains(GameSwitch.INFINITE_EDIBLE_TIME))
+                .put("imprisonedWhileEdible", rules.switches().contains(GameSwitch.IMPRISONED_WHILE_EDIBLE))
+                .put("allowRandomGhostReversals", !rules.switches().contains(GameSwitch.WITHOUT_RANDOM_REVERSALS))
                 .put("numActiveGhosts", rules.ghosts().activeGhosts())
                 .put("preEatenPillPercentage", rules.pills().preEatenPillPortion())
                 .put("powerPillPunishmentRate", rules.pills().powerPillPunishmentRate())
-                .put("dieOnImproperPowerPillEating", rules.pills().dieOnImproperPowerPillEating())
+                .put(
+                        "dieOnImproperPowerPillEating",
+                        rules.switches().contains(GameSwitch.DIE_ON_IMPROPER_POWER_PILL_EATING))
                 .put("closeGhostDistance", rules.pills().closeGhostDistance())
                 .put("justMaze", rules.mazes().onlyMaze());
         ObjectNode on = line.putObject("switches");

@@ -6,7 +6,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.charset.StandardCharsets;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Set;
 import java.util.zip.CRC32;
 import mmneat.random.ResumableRandom;
 import pacman.game.Constants.GHOST;
@@ -199,7 +198,7 @@ final class TracedGame {
     }
 
     private Game restored() {
-        GameRules plain = rules.withSwitches(Set.of()).withMazes(mazes -> mazes.withInitialMaze(0));
+        GameRules plain = rules.without(TraceRules.setDuringGames()).withMazes(mazes -> mazes.withInitialMaze(0));
         Game restored = new Game(0, plain, shared);
         restored.setGameState(game.getGameState());
         return restored;

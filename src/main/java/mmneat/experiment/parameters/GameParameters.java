@@ -147,26 +147,15 @@ record GameParameters(
                         pacmanLives,
                         pacManGainsLives,
                         pacmanMaxLevel,
+                        getRemainingPills,
                         pacManLevelTimeLimit,
-                        pacmanFatalTimeLimit,
-                        getRemainingPills),
-                new GhostRules(
-                        numActiveGhosts,
-                        edibleTime,
-                        infiniteEdibleTime,
-                        lairTime,
-                        version != TaskVersion.BLENDED,
-                        allowRandomGhostReversals,
-                        locations),
-                new PillRules(
-                        preEatenPillPercentage,
-                        closeGhostDistance,
-                        powerPillPunishmentRate,
-                        dieOnImproperPowerPillEating),
-                switches());
+                        pacmanFatalTimeLimit),
+                new GhostRules(numActiveGhosts, edibleTime, lairTime, locations),
+                new PillRules(preEatenPillPercentage, closeGhostDistance, powerPillPunishmentRate),
+                switches(version));
     }
 
-    private Set<GameSwitch> switches() {
+    private Set<GameSwitch> switches(TaskVersion version) {
         Map<GameSwitch, Boolean> switches = new EnumMap<>(GameSwitch.class);
         switches.put(GameSwitch.EXIT_LAIR_EDIBLE, exitLairEdible);
         switches.put(GameSwitch.END_ONLY_ON_TIME_LIMIT, endOnlyOnTimeLimit);
@@ -175,6 +164,10 @@ record GameParameters(
         switches.put(GameSwitch.REMOVE_PILLS_NEAR_POWER_PILLS, removePillsNearPowerPills);
         switches.put(GameSwitch.WITHOUT_PILLS, noPills);
         switches.put(GameSwitch.WITHOUT_POWER_PILLS, noPowerPills);
+        switches.put(GameSwitch.INFINITE_EDIBLE_TIME, infiniteEdibleTime);
+        switches.put(GameSwitch.IMPRISONED_WHILE_EDIBLE, version != TaskVersion.BLENDED);
+        switches.put(GameSwitch.WITHOUT_RANDOM_REVERSALS, !allowRandomGhostReversals);
+        switches.put(GameSwitch.DIE_ON_IMPROPER_POWER_PILL_EATING, dieOnImproperPowerPillEating);
         switches.values().removeIf(on -> !on);
         return switches.keySet();
     }
