@@ -93,7 +93,7 @@ public final class GenotypeDraft {
      * @throws IllegalArgumentException if the genes do not form a network; the message says where
      * @throws NullPointerException if a gene is missing
      */
-    public Genotype checked() {
+    Genotype checked() {
         return new Genotype(id, inputs, layout(), nodes, links, moduleUsage);
     }
 

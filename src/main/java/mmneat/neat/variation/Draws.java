@@ -1,5 +1,8 @@
 package mmneat.neat.variation;
 
+import java.util.Arrays;
+import java.util.List;
+import mmneat.neat.LinkGene;
 import mmneat.random.ResumableRandom;
 
 /** Random draws used by the variation operators. Source: docs/specification/networks.md, section 2. */
@@ -24,6 +27,21 @@ final class Draws {
             shuffled[i - 1] = shuffled[other];
             shuffled[other] = value;
         }
-        return java.util.Arrays.copyOf(shuffled, count);
+        return Arrays.copyOf(shuffled, count);
+    }
+
+    /**
+     * Returns the index of a random link that is active and not frozen, with one draw; -1 without a draw if there is
+     * none.
+     */
+    static int changeableLink(List<LinkGene> links, ResumableRandom random) {
+        int[] candidates = new int[links.size()];
+        int count = 0;
+        for (int i = 0; i < links.size(); i++) {
+            if (links.get(i).active() && !links.get(i).frozen()) {
+                candidates[count++] = i;
+            }
+        }
+        return count == 0 ? -1 : candidates[random.nextInt(count)];
     }
 }

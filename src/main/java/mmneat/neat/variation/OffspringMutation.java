@@ -3,6 +3,7 @@ package mmneat.neat.variation;
 import java.util.ArrayList;
 import java.util.List;
 import mmneat.neat.ActivationFunction;
+import mmneat.neat.DraftCheck;
 import mmneat.neat.GenePool;
 import mmneat.neat.GenotypeDraft;
 import mmneat.neat.OwnPart;

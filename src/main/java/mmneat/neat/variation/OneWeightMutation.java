@@ -20,7 +20,7 @@ final class OneWeightMutation implements MutationOperator {
 
     @Override
     public boolean apply(GenotypeDraft offspring, GenePool pool, ResumableRandom random) {
-        int chosen = LinkChoice.amongActiveAndUnfrozen(offspring.links(), random);
+        int chosen = Draws.changeableLink(offspring.links(), random);
         if (chosen < 0) {
             return false;
         }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.function.Supplier;
+import mmneat.neat.DraftCheck;
 import mmneat.neat.GenePool;
 import mmneat.neat.Genotype;
 import mmneat.neat.GenotypeDraft;

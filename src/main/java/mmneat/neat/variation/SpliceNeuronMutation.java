@@ -26,7 +26,7 @@ record SpliceNeuronMutation(ActivationFunction activation) implements MutationOp
     @Override
     public boolean apply(GenotypeDraft offspring, GenePool pool, ResumableRandom random) {
         List<LinkGene> links = offspring.links();
-        int chosen = LinkChoice.amongActiveAndUnfrozen(links, random);
+        int chosen = Draws.changeableLink(links, random);
         if (chosen < 0) {
             return false;
         }

@@ -1,13 +1,7 @@
-package mmneat.neat.variation;
+package mmneat.neat;
 
 import java.util.List;
 import java.util.function.Supplier;
-import mmneat.neat.ActivationFunction;
-import mmneat.neat.GenePool;
-import mmneat.neat.Genotype;
-import mmneat.neat.GenotypeDraft;
-import mmneat.neat.ModuleLayout;
-import mmneat.neat.OwnPart;
 
 /**
  * The check of what an operator of the user's own leaves behind: a draft that is a network of the pool, and that a
@@ -16,14 +10,17 @@ import mmneat.neat.OwnPart;
  * @param operator the operator, for messages
  * @param activation the only activation function of the user's own that neurons may have, if it is one
  */
-record DraftCheck(OwnPart operator, ActivationFunction activation) {
+public record DraftCheck(OwnPart operator, ActivationFunction activation) {
 
     /**
      * Calls the operator and checks the drafts.
      *
-     * @throws mmneat.neat.BadPartException if the operator throws, or a draft is invalid afterwards
+     * @param method the call of the operator, which changes the drafts
+     * @param pool the pool that the genes of the drafts must come from
+     * @return what the call returns
+     * @throws BadPartException if the operator throws, or a draft is invalid afterwards
      */
-    <T> T call(Supplier<T> method, GenePool pool, GenotypeDraft... drafts) {
+    public <T> T call(Supplier<T> method, GenePool pool, GenotypeDraft... drafts) {
         int[] choices = new int[drafts.length];
         for (int i = 0; i < drafts.length; i++) {
             choices[i] = choicesOfTask(drafts[i].layout());
