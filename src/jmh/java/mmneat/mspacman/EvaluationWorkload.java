@@ -31,16 +31,8 @@ final class EvaluationWorkload {
 
     /** The task with separate sensors for threats and for edible ghosts. */
     static MsPacManTask splitTask(TaskVersion version) {
-        MsPacManTaskSettings published = settings(version);
-        return new MsPacManTask(new MsPacManTaskSettings(
-                version,
-                published.trials(),
-                published.rules(),
-                SensorSettings.split(),
-                published.division(),
-                published.arbitration(),
-                published.ghosts(),
-                published.deterministic()));
+        return new MsPacManTask(
+                settings(version).withNetworks(networks -> networks.withSensors(SensorSettings.split())));
     }
 
     private static MsPacManTaskSettings settings(TaskVersion version) {

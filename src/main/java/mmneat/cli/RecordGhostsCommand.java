@@ -114,7 +114,7 @@ final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
         Champion champion = jar.allow(choice.read(file, TaskVersion.BLENDED.label()));
         OutputFile.require("out", out);
         MsPacManTaskSettings settings = PlayerSettings.of(champion, task.version(), Rules.TRAINING, Optional.empty());
-        if (settings.version() == TaskVersion.ISOLATED) {
+        if (settings.games().version() == TaskVersion.ISOLATED) {
             throw new UserError("the games of the isolated version have no power pills to be eaten; record with"
                     + " task=blended or task=interleaved, or another champion");
         }

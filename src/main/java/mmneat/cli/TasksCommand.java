@@ -134,8 +134,9 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
                 "score");
         for (String version : versions) {
             MsPacManTaskSettings settings = settings(version);
-            TaskDivision division =
-                    predicates == null ? TaskDivision.usual(settings.version()) : TaskDivision.named(predicates);
+            TaskDivision division = predicates == null
+                    ? TaskDivision.usual(settings.games().version())
+                    : TaskDivision.named(predicates);
             TaskMeter meter = new TaskMeter(settings, division);
             List<String> names = List.of((players == null ? NetworkPlayer.SHIPPED + version : players).split(","));
             List<TaskMeasurement> measured = new ArrayList<>();

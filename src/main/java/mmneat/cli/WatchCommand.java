@@ -133,7 +133,9 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
      * Returns the file name of the page. It contains the task, because runs of different tasks can have the same name.
      */
     private static String pageName(Champion champion, MsPacManTaskSettings settings) {
-        return champion.runFolder().isPresent() ? settings.version().label() + "-" + champion.name() : champion.name();
+        return champion.runFolder().isPresent()
+                ? settings.games().version().label() + "-" + champion.name()
+                : champion.name();
     }
 
     private void showWindow(Champion champion, MsPacManTaskSettings settings) {
@@ -173,7 +175,7 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
 
     private void writePage(Path out, Champion champion, MsPacManTaskSettings settings, Rules rules) {
         ReplayTitle title = new ReplayTitle(
-                settings.version().label() + " · " + champion.name(),
+                settings.games().version().label() + " · " + champion.name(),
                 rules.label() + " rules, seed " + seed + ", network "
                         + champion.genotype().id());
         Replay replay = GameRecording.record(settings, champion.genotype(), seed, title);

@@ -54,12 +54,12 @@ public final class MsPacManTask implements Task {
     /** Creates a task, which is used by one thread. */
     public MsPacManTask(MsPacManTaskSettings settings) {
         this.settings = settings;
-        suite = SensorSuite.of(settings.sensors());
+        suite = SensorSuite.of(settings.networks().sensors());
         senses = suite.newInputs();
-        games = TrialGame.of(settings.version(), settings.rules());
-        others = RecordedScore.ofTheOriginal(settings.rules());
+        games = settings.games().ofTrial();
+        others = RecordedScore.ofTheOriginal(settings.games().rules());
         objectives = settings.objectives();
-        ghosts = settings.ghosts().get();
+        ghosts = settings.games().ghosts().get();
         readOnlyGhosts = LiveReaders.of(ghosts).orElse(null);
         directGhosts = readOnlyGhosts instanceof DirectGhosts direct ? direct : null;
     }
@@ -116,7 +116,7 @@ public final class MsPacManTask implements Task {
 
     @Override
     public int trials() {
-        return settings.trials();
+        return settings.games().trials();
     }
 
     @Override
@@ -131,8 +131,9 @@ public final class MsPacManTask implements Task {
      * @throws IllegalArgumentException if the genotype's inputs or modules do not fit the task
      */
     public Evaluation evaluate(Genotype genotype, ResumableRandom random, @Nullable EvaluationObserver observer) {
+        NetworkSettings networks = settings.networks();
         DirectionEvaluator player =
-                new DirectionEvaluator(senses, genotype, settings.arbitration(), settings.division());
+                new DirectionEvaluator(senses, genotype, networks.arbitration(), networks.division());
         double[][] trialObjectives = new double[objectives.size()][trials()];
         double[][] trialOthers = new double[others.size()][trials()];
         Outcomes outcomes = Outcomes.NONE;
@@ -141,7 +142,7 @@ public final class MsPacManTask implements Task {
                 observer.trialStarted(trial);
             }
             for (TrialGame setting : games) {
-                long seed = settings.deterministic() ? trial : random.nextLong();
+                long seed = settings.games().deterministic() ? trial : random.nextLong();
                 Game game = new Game(seed, setting.rules(), random);
                 GameEnd end = playTrial(trial, setting, game, player, random, observer);
                 outcomes = outcomes.plus(outcome(game, end));

@@ -3,51 +3,31 @@ package mmneat.mspacman;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.function.Supplier;
-import mmneat.mspacman.modules.ModuleDivision;
+import java.util.function.UnaryOperator;
 import mmneat.mspacman.objectives.GameObjective;
 import mmneat.mspacman.sensors.SensorSettings;
 import mmneat.neat.network.ModuleArbitration;
-import org.jspecify.annotations.Nullable;
-import pacman.controllers.NewGhostController;
 import pacman.controllers.examples.Legacy;
 import pacman.game.GameRules;
 import pacman.game.GhostLocations;
 
 /**
- * The settings of an evaluation in the Ms.&nbsp;Pac-Man task. Immutable.
+ * The settings of an evaluation in the Ms.&nbsp;Pac-Man task. Start from a preset such as {@link #blended}. Immutable.
  *
  * <p>Source: docs/specification/mspacman-task.md, sections 1, 2 and 7.
  *
- * @param version which games make a trial
- * @param trials trials per evaluation, at least 1
- * @param rules rules of a full game, with pills, power pills and ghosts. {@link TrialGame#of} derives the separate
- *     games of the isolated version from them
- * @param sensors the sensors, which are the networks' inputs
- * @param division selects the module of each step for multitask networks; null for others
- * @param arbitration how networks choose among their modules
- * @param ghosts creates the ghost team, one per task
- * @param deterministic whether a game's seed is its trial number instead of a random number
+ * @param games the games that are played
+ * @param networks the inputs of networks and the choice among their modules
  * @param objectives what networks are selected for, at least one, with different names
  */
-public record MsPacManTaskSettings(
-        TaskVersion version,
-        int trials,
-        GameRules rules,
-        SensorSettings sensors,
-        @Nullable ModuleDivision division,
-        ModuleArbitration arbitration,
-        Supplier<NewGhostController> ghosts,
-        boolean deterministic,
-        List<GameObjective> objectives) {
+public record MsPacManTaskSettings(GameSettings games, NetworkSettings networks, List<GameObjective> objectives) {
 
     private static final int PUBLISHED_TRIALS = 10;
 
     /**
      * Checked settings.
      *
-     * @throws IllegalArgumentException if there is no trial or no objective, two objectives have one name, or the
-     *     isolated version has no ghost locations
+     * @throws IllegalArgumentException if there is no objective, or two objectives have one name
      */
     public MsPacManTaskSettings {
         objectives = List.copyOf(objectives);
@@ -60,26 +40,6 @@ public record MsPacManTaskSettings(
                 throw new IllegalArgumentException("two objectives are called " + objective.name());
             }
         }
-        if (trials < 1) {
-            throw new IllegalArgumentException("trials must be at least 1, is " + trials);
-        }
-        if (version == TaskVersion.ISOLATED && rules.ghosts().ghostLocations() == null) {
-            throw new IllegalArgumentException(
-                    "the isolated version needs recorded ghost locations (mazePowerPillGhostMapping)");
-        }
-    }
-
-    /** Settings with the two published objectives. */
-    public MsPacManTaskSettings(
-            TaskVersion version,
-            int trials,
-            GameRules rules,
-            SensorSettings sensors,
-            @Nullable ModuleDivision division,
-            ModuleArbitration arbitration,
-            Supplier<NewGhostController> ghosts,
-            boolean deterministic) {
-        this(version, trials, rules, sensors, division, arbitration, ghosts, deterministic, GameObjective.PUBLISHED);
     }
 
     /** The published blended version, for networks with preference neurons. */
@@ -100,13 +60,24 @@ public record MsPacManTaskSettings(
 
     private static MsPacManTaskSettings published(TaskVersion version, GameRules rules, SensorSettings sensors) {
         return new MsPacManTaskSettings(
-                version, PUBLISHED_TRIALS, rules, sensors, null, ModuleArbitration.PREFERENCE, Legacy::new, false);
+                new GameSettings(version, PUBLISHED_TRIALS, rules, Legacy::new, false),
+                new NetworkSettings(sensors, null, ModuleArbitration.PREFERENCE),
+                GameObjective.PUBLISHED);
+    }
+
+    /** Returns these settings with other games. */
+    public MsPacManTaskSettings withGames(UnaryOperator<GameSettings> change) {
+        return new MsPacManTaskSettings(change.apply(games), networks, objectives);
+    }
+
+    /** Returns these settings for other networks. */
+    public MsPacManTaskSettings withNetworks(UnaryOperator<NetworkSettings> change) {
+        return new MsPacManTaskSettings(games, change.apply(networks), objectives);
     }
 
     /** Returns these settings with another number of trials. */
     public MsPacManTaskSettings withTrials(int number) {
-        return new MsPacManTaskSettings(
-                version, number, rules, sensors, division, arbitration, ghosts, deterministic, objectives);
+        return withGames(changed -> changed.withTrials(number));
     }
 
     /**
@@ -115,18 +86,6 @@ public record MsPacManTaskSettings(
      * the game, also if the evolution was deterministic.
      */
     public MsPacManTaskSettings forSingleGames() {
-        return new MsPacManTaskSettings(version, 1, rules, sensors, division, arbitration, ghosts, false, objectives);
-    }
-
-    /** Returns these settings with other rules of a full game. */
-    public MsPacManTaskSettings withRules(GameRules ofFullGame) {
-        return new MsPacManTaskSettings(
-                version, trials, ofFullGame, sensors, division, arbitration, ghosts, deterministic, objectives);
-    }
-
-    /** Returns these settings for multitask networks. */
-    public MsPacManTaskSettings withDivision(ModuleDivision ofTask) {
-        return new MsPacManTaskSettings(
-                version, trials, rules, sensors, ofTask, arbitration, ghosts, deterministic, objectives);
+        return withGames(changed -> changed.withTrials(1).withDeterministic(false));
     }
 }

@@ -57,9 +57,11 @@ public final class NetworkPacMan extends Controller<MOVE> implements ReadOnlyCon
      */
     public static NetworkPacMan of(
             MsPacManTaskSettings task, Genotype network, @Nullable ModuleDivision division, long tieSeed) {
-        ModuleDivision ofTask = task.version() == TaskVersion.ISOLATED ? publishedDivision(network) : task.division();
+        NetworkSettings settings = task.networks();
+        ModuleDivision ofTask =
+                task.games().version() == TaskVersion.ISOLATED ? publishedDivision(network) : settings.division();
         return new NetworkPacMan(
-                network, task.sensors(), task.arbitration(), division == null ? ofTask : division, tieSeed);
+                network, settings.sensors(), settings.arbitration(), division == null ? ofTask : division, tieSeed);
     }
 
     /**

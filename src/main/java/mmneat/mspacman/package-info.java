@@ -9,7 +9,7 @@
  * power pills, and four with edible ghosts only. A <em>full game</em> has pills, power pills and ghosts in all four
  * mazes, as in the blended and interleaved versions.
  *
- * <p>An evaluation has several <em>trials</em> ({@link mmneat.mspacman.MsPacManTaskSettings#trials}). A trial is one
+ * <p>An evaluation has several <em>trials</em> ({@link mmneat.mspacman.GameSettings#trials}). A trial is one
  * full game or, in the isolated version, the five separate games, whose scores are added up.
  *
  * <p>A <em>division</em> ({@link mmneat.mspacman.modules.ModuleDivision}) tells a multitask network which module to use

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import mmneat.GoldenData;
+import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ModuleDivisions;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
@@ -65,9 +66,10 @@ record GoldenEvaluation(JsonNode json) {
                 };
         for (JsonNode parameter : json.get("parameters")) {
             if (parameter.asText().startsWith("pacmanMultitaskScheme:")) {
-                settings = settings.withDivision(
-                        // The recordings leave out the first part of the package.
-                        ModuleDivisions.named(parameter.asText().replaceFirst("pacmanMultitaskScheme:.*\\.", "")));
+                // The recordings leave out the first part of the package.
+                ModuleDivision division =
+                        ModuleDivisions.named(parameter.asText().replaceFirst("pacmanMultitaskScheme:.*\\.", ""));
+                settings = settings.withNetworks(networks -> networks.withDivision(division));
             }
         }
         return settings.withTrials(json.get("trials").asInt());

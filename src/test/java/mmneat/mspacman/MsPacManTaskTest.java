@@ -65,16 +65,8 @@ class MsPacManTaskTest {
     /** Source: docs/specification/mspacman-task.md, section 2. */
     @Test
     void deterministicGames_areSeededByTheirTrial_withAnyGenerator() {
-        MsPacManTaskSettings plain = MsPacManTaskSettings.blended();
-        MsPacManTask task = new MsPacManTask(new MsPacManTaskSettings(
-                plain.version(),
-                2,
-                plain.rules(),
-                plain.sensors(),
-                plain.division(),
-                plain.arbitration(),
-                plain.ghosts(),
-                true));
+        MsPacManTask task = new MsPacManTask(MsPacManTaskSettings.blended()
+                .withGames(games -> games.withTrials(2).withDeterministic(true)));
         Genotype network = network(30, TWO_MODULES);
 
         assertThat(task.evaluate(network, new ResumableRandom(6)))
@@ -171,13 +163,10 @@ class MsPacManTaskTest {
 
     @Test
     void isolatedVersion_withoutGhostLocations_isRefused() {
-        assertThatThrownBy(() -> new MsPacManTaskSettings(
+        assertThatThrownBy(() -> new GameSettings(
                         TaskVersion.ISOLATED,
                         1,
                         GameRules.interleaved(),
-                        SensorSettings.imprisoned(),
-                        null,
-                        ModuleArbitration.PREFERENCE,
                         pacman.controllers.examples.Legacy::new,
                         false))
                 .isInstanceOf(IllegalArgumentException.class)
@@ -189,9 +178,8 @@ class MsPacManTaskTest {
         GameRules rules = GameRules.interleaved();
         List<TrialGame> blended = TrialGame.of(TaskVersion.BLENDED, rules);
         assertThat(blended).extracting(TrialGame::rules).containsExactly(rules);
-        List<TrialGame> isolated = TrialGame.of(
-                TaskVersion.ISOLATED,
-                MsPacManTaskSettings.isolated(GhostLocations.shipped()).rules());
+        List<TrialGame> isolated =
+                MsPacManTaskSettings.isolated(GhostLocations.shipped()).games().ofTrial();
         assertThat(isolated).extracting(TrialGame::countsGhosts).containsExactly(false, true, true, true, true);
         assertThat(isolated.get(0).rules().switches()).contains(GameSwitch.WITHOUT_POWER_PILLS);
         assertThat(isolated.subList(1, 5))
@@ -210,6 +198,7 @@ class MsPacManTaskTest {
     @Test
     void ghostGames_haveTheRulesOfAllGhostsAndPills_butNoOtherSwitchOfAFullGame() {
         GameRules all = MsPacManTaskSettings.isolated(GhostLocations.shipped())
+                .games()
                 .rules()
                 .withSwitches(EnumSet.allOf(GameSwitch.class));
         List<TrialGame> games = TrialGame.of(TaskVersion.ISOLATED, all);

@@ -102,16 +102,16 @@ public final class ChampionEvaluator implements AutoCloseable {
 
         private String name(Champion champion, MsPacManTaskSettings settings) {
             return networkName(champion) + "; "
-                    + settings.version().label() + " task; " + rules.label()
+                    + settings.games().version().label() + " task; " + rules.label()
                     + " rules; seed " + seed + ghostLocations(settings);
         }
 
         /** Isolated games depend on the recording too. */
         private String ghostLocations(MsPacManTaskSettings settings) {
-            return settings.version() == TaskVersion.ISOLATED
+            return settings.games().version() == TaskVersion.ISOLATED
                     ? "; ghost locations "
-                            + Integer.toHexString(
-                                    Objects.hashCode(settings.rules().ghosts().ghostLocations()))
+                            + Integer.toHexString(Objects.hashCode(
+                                    settings.games().rules().ghosts().ghostLocations()))
                     : "";
         }
 

@@ -59,7 +59,7 @@ public record ChampionLabels(NetworkLabels labels, String remark) {
      * it or its group, for example "module 2: a ghost edible".
      */
     public static NetworkLabels of(MsPacManTaskSettings settings, ModuleLayout layout) {
-        ModuleDivision division = layout.isDivided() ? settings.division() : null;
+        ModuleDivision division = layout.isDivided() ? settings.networks().division() : null;
         List<String> modules = IntStream.range(0, layout.modules())
                 .mapToObj(module -> "module " + (module + 1)
                         + (division != null ? ": " + division.observation(layout.choiceOf(module)) : ""))

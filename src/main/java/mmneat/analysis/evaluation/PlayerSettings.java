@@ -38,8 +38,7 @@ public final class PlayerSettings {
         champion.requireActivation();
         return ChampionTask.of(champion, version, ghostLocations) instanceof MsPacManTask task
                 ? Optional.of(task.settings()
-                        .withRules(rules.from(task.settings().rules()))
-                        .withTrials(1))
+                        .withGames(games -> games.withRules(rules::from).withTrials(1)))
                 : Optional.empty();
     }
 }

@@ -71,8 +71,8 @@ public final class GhostLocationRecorder {
      * @param firstMaze maze in which it starts, 0 to 3
      */
     public void playGame(int firstMaze) {
-        MsPacManTaskSettings started =
-                settings.withRules(settings.rules().withMazes(mazes -> mazes.withInitialMaze(firstMaze)));
+        MsPacManTaskSettings started = settings.withGames(
+                all -> all.withRules(rules -> rules.withMazes(mazes -> mazes.withInitialMaze(firstMaze))));
         new MsPacManTask(started).evaluate(champion, random, notes);
         games++;
     }

@@ -33,14 +33,14 @@ final class FullNetworkEvaluator {
     private int livesBefore = -1;
 
     FullNetworkEvaluator(MsPacManTaskSettings settings, Genotype genotype) {
-        sensors = SensorSuite.of(settings.sensors()).newInputs();
+        sensors = SensorSuite.of(settings.networks().sensors()).newInputs();
         Network network = Network.compileWithAllNodes(genotype);
         for (int d = 0; d < states.length; d++) {
-            states[d] = network.newState(settings.arbitration());
+            states[d] = network.newState(settings.networks().arbitration());
         }
         inputs = genotype.inputs();
         nodes = genotype.nodes().size();
-        division = genotype.layout().isDivided() ? settings.division() : null;
+        division = genotype.layout().isDivided() ? settings.networks().division() : null;
     }
 
     void startGame() {

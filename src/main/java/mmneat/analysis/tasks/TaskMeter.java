@@ -30,9 +30,9 @@ public final class TaskMeter {
      */
     public TaskMeter(MsPacManTaskSettings settings, TaskDivision division) {
         this.division = division;
-        games = TrialGame.of(settings.version(), settings.rules());
-        ghosts = settings.ghosts();
-        sensors = SensorSuite.of(settings.sensors()).newInputs();
+        games = settings.games().ofTrial();
+        ghosts = settings.games().ghosts();
+        sensors = SensorSuite.of(settings.networks().sensors()).newInputs();
     }
 
     /** Games, that is episodes, of a trial. */

@@ -39,7 +39,7 @@ public final class GhostsOption {
         MsPacManTaskSettings settings =
                 PlayerSettings.of(champion, task.version(), rules, file().filter(Files::isReadable));
         requireEffect(
-                settings.version() == TaskVersion.ISOLATED,
+                settings.games().version() == TaskVersion.ISOLATED,
                 "only the isolated version has recorded ghost locations, and " + champion.name() + " plays another");
         requireReadable();
         return settings;

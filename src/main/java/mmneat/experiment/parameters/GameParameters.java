@@ -10,7 +10,9 @@ import java.util.stream.Stream;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.CheckedParts;
+import mmneat.mspacman.GameSettings;
 import mmneat.mspacman.MsPacManTaskSettings;
+import mmneat.mspacman.NetworkSettings;
 import mmneat.mspacman.TaskVersion;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.modules.ModuleDivisions;
@@ -127,14 +129,8 @@ record GameParameters(
         OwnClasses classes = new OwnClasses(jar);
         GameRules rules = rules(version, locations);
         return new MsPacManTaskSettings(
-                version,
-                trials,
-                rules,
-                sensors(version, classes),
-                division(classes),
-                arbitration(),
-                ghosts(classes),
-                deterministic,
+                new GameSettings(version, trials, rules, ghosts(classes), deterministic),
+                new NetworkSettings(sensors(version, classes), division(classes), arbitration()),
                 ObjectiveParameter.read(objectives, classes, version, rules));
     }
 

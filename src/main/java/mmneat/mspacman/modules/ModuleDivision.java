@@ -8,7 +8,7 @@ import mmneat.mspacman.sensors.Observation;
  *
  * <p>A division of your own is a class that implements {@link #modules} and {@link #module} and has a public
  * constructor without arguments. The parameter {@code pacmanMultitaskScheme} of the command line names it with its
- * package; a program that uses the library passes an object to {@code MsPacManTaskSettings.withDivision}. It keeps no
+ * package; a program that uses the library passes an object to {@code NetworkSettings.withDivision}. It keeps no
  * state: one object serves all threads of a run.
  *
  * <p>Source: docs/specification/mspacman-task.md, section 6.

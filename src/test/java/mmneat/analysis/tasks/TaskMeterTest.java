@@ -28,7 +28,8 @@ class TaskMeterTest {
     }
 
     private static TaskMeasurement measure(MsPacManTaskSettings settings, Supplier<Controller<MOVE>> player) {
-        return new TaskMeter(settings, TaskDivision.usual(settings.version())).measure(player, GAMES, 1, played -> {});
+        return new TaskMeter(settings, TaskDivision.usual(settings.games().version()))
+                .measure(player, GAMES, 1, played -> {});
     }
 
     private static Episode episode(int... tasks) {

@@ -46,7 +46,7 @@ class OwnClassesTest {
                         .read(List.of(words))
                         .parameters())
                 .get();
-        return SensorSuite.of(task.settings().sensors()).labels(-1);
+        return SensorSuite.of(task.settings().networks().sensors()).labels(-1);
     }
 
     private static void assertMistake(String message, String... words) {

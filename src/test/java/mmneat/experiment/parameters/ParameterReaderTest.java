@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import mmneat.experiment.UserError;
+import mmneat.mspacman.GameSettings;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
-import mmneat.mspacman.TrialGame;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -187,17 +187,18 @@ class ParameterReaderTest {
                 MsPacManTaskSettings.blended(),
                 MsPacManTaskSettings.interleaved(),
                 MsPacManTaskSettings.isolated(GhostLocations.shipped()))) {
-            Parameters parameters = read("task=" + preset.version().label(), "method=1M");
+            GameSettings games = preset.games();
+            Parameters parameters = read("task=" + games.version().label(), "method=1M");
             MsPacManTaskSettings settings =
                     ((MsPacManTask) Tasks.factory(parameters).get()).settings();
-            assertThat(settings.trials()).isEqualTo(preset.trials());
-            assertThat(settings.deterministic()).isEqualTo(preset.deterministic());
-            assertThat(settings.sensors()).isEqualTo(preset.sensors());
-            assertThat(settings.arbitration()).isEqualTo(preset.arbitration());
-            assertThat(settings.division()).isEqualTo(preset.division());
-            assertThat(settings.ghosts().get()).hasSameClassAs(preset.ghosts().get());
-            assertThat(TrialGame.of(preset.version(), settings.rules()).toString())
-                    .isEqualTo(TrialGame.of(preset.version(), preset.rules()).toString());
+            assertThat(settings.games().trials()).isEqualTo(games.trials());
+            assertThat(settings.games().deterministic()).isEqualTo(games.deterministic());
+            assertThat(settings.networks()).isEqualTo(preset.networks());
+            assertThat(settings.objectives()).isEqualTo(preset.objectives());
+            assertThat(settings.games().ghosts().get())
+                    .hasSameClassAs(games.ghosts().get());
+            assertThat(settings.games().ofTrial().toString())
+                    .isEqualTo(games.ofTrial().toString());
         }
     }
 
