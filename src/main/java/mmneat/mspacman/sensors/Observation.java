@@ -334,13 +334,23 @@ public final class Observation {
     }
 
     /**
-     * The ghost of a kind outside the lair that is nth nearest in this direction among its kind.
+     * The nth nearest in this direction of the ghosts outside the lair that are not edible.
      *
      * @param n from 0
      * @return its number, or -1 if there are no more than n
      */
-    public int nthNearestGhost(int n, GhostKind kind) {
-        return ghosts.nthNearest(n, kind);
+    public int nthNearestThreat(int n) {
+        return ghosts.nthNearest(n, false);
+    }
+
+    /**
+     * The nth nearest in this direction of the edible ghosts outside the lair.
+     *
+     * @param n from 0
+     * @return its number, or -1 if there are no more than n
+     */
+    public int nthNearestEdibleGhost(int n) {
+        return ghosts.nthNearest(n, true);
     }
 
     /** Steps in this direction to a ghost outside the lair. */

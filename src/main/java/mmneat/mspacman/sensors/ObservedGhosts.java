@@ -210,9 +210,8 @@ final class ObservedGhosts {
         return n < outside ? orderKeys[n] & 3 : -1;
     }
 
-    /** The nth nearest ghost of a kind among its kind, or -1 if there are no more than n. */
-    int nthNearest(int n, GhostKind kind) {
-        boolean edible = kind == GhostKind.EDIBLE;
+    /** The nth nearest of the ghosts that are edible, or of those that are not; -1 if there are no more than n. */
+    int nthNearest(int n, boolean edible) {
         int left = n;
         for (int position = 0; position < outside; position++) {
             int ghost = orderKeys[position] & 3;

@@ -4,21 +4,24 @@ import mmneat.mspacman.sensors.FlagSensor;
 import mmneat.mspacman.sensors.Observation;
 
 /**
- * "nth Nearest Ghost Path Has Junctions?", inverted as in the published experiments: 1 if the way to the ghost has no
+ * "nth Nearest Ghost Path Has Junctions?", inverted as in the published experiments: 1 if the path to the ghost has no
  * junction, nor does the ghost stand on one, else 0; 0 if there is no such ghost.
  *
- * @param n rank of the ghost among those outside the lair by distance in this direction, from 0
+ * <p>Quirk: the original's label does not name the order. Source: docs/specification/original-options.md, section 3.4.
+ *
+ * @param order the order that numbers the ghosts
+ * @param n place of the ghost in this order, from 0
  */
-record GhostTrapped(int n) implements FlagSensor {
+record GhostTrapped(GhostOrder order, int n) implements FlagSensor {
 
     @Override
     public String label() {
-        return n + " Closest Ghost Trapped";
+        return GhostOrder.NEAREST.label(n) + " Trapped";
     }
 
     @Override
     public boolean holds(Observation observation) {
-        int ghost = observation.nthNearestGhost(n);
+        int ghost = order.ghost(n, observation);
         return ghost >= 0 && observation.isTrapped(ghost);
     }
 }

@@ -2,7 +2,6 @@ package mmneat.mspacman.sensors.suite;
 
 import java.util.ArrayList;
 import java.util.List;
-import mmneat.mspacman.sensors.GhostKind;
 import mmneat.mspacman.sensors.Observation;
 import mmneat.mspacman.sensors.Sensor;
 import mmneat.mspacman.sensors.SensorGroup;
@@ -15,6 +14,8 @@ import pacman.maze.MazeTables;
  * with its own {@link NetworkInputs}.
  */
 public final class SensorSuite {
+
+    private static final List<GhostOrder> KINDS = List.of(GhostOrder.NEAREST_THREAT, GhostOrder.NEAREST_EDIBLE);
 
     private final List<Sensor> sensors;
     private final SensorSettings settings;
@@ -34,8 +35,8 @@ public final class SensorSuite {
             sensors.add(new JunctionDistance(rank));
         }
         for (int ghost = 0; ghost < Observation.GHOSTS && settings.has(SensorGroup.NUMBERED_GHOSTS); ghost++) {
-            sensors.add(new SpecificGhostDistance(ghost));
-            addIf(settings.has(SensorGroup.APPROACHING), new SpecificGhostApproaching(ghost), sensors);
+            sensors.add(new GhostDistance(GhostOrder.BY_NUMBER, ghost));
+            addIf(settings.has(SensorGroup.APPROACHING), new GhostApproaching(GhostOrder.BY_NUMBER, ghost), sensors);
         }
         for (int n = 0; n < Observation.GHOSTS && settings.has(SensorGroup.NEAREST_GHOSTS); n++) {
             addNthGhost(n, settings, sensors);
@@ -59,9 +60,9 @@ public final class SensorSuite {
     }
 
     private static void addNthGhost(int n, SensorSettings settings, List<Sensor> sensors) {
-        sensors.add(new GhostDistance(n));
-        addIf(settings.has(SensorGroup.APPROACHING), new GhostApproaching(n), sensors);
-        addIf(settings.has(SensorGroup.TRAPPED), new GhostTrapped(n), sensors);
+        sensors.add(new GhostDistance(GhostOrder.NEAREST, n));
+        addIf(settings.has(SensorGroup.APPROACHING), new GhostApproaching(GhostOrder.NEAREST, n), sensors);
+        addIf(settings.has(SensorGroup.TRAPPED), new GhostTrapped(GhostOrder.NEAREST, n), sensors);
         addIf(
                 settings.has(SensorGroup.TIME_VERSUS_DISTANCE),
                 new GhostTimeVersusDistance(n, settings.edibleTime()),
@@ -70,14 +71,14 @@ public final class SensorSuite {
     }
 
     private static void addNthGhostOfEachKind(int n, SensorSettings settings, List<Sensor> sensors) {
-        for (GhostKind kind : GhostKind.values()) {
-            sensors.add(new KindOfGhostDistance(n, kind));
+        for (GhostOrder kind : KINDS) {
+            sensors.add(new GhostDistance(kind, n));
         }
-        for (GhostKind kind : GhostKind.values()) {
-            addIf(settings.has(SensorGroup.APPROACHING), new KindOfGhostApproaching(n, kind), sensors);
+        for (GhostOrder kind : KINDS) {
+            addIf(settings.has(SensorGroup.APPROACHING), new GhostApproaching(kind, n), sensors);
         }
-        for (GhostKind kind : GhostKind.values()) {
-            addIf(settings.has(SensorGroup.TRAPPED), new KindOfGhostTrapped(n, kind), sensors);
+        for (GhostOrder kind : KINDS) {
+            addIf(settings.has(SensorGroup.TRAPPED), new GhostTrapped(kind, n), sensors);
         }
     }
 
