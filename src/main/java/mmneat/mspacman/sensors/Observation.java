@@ -1,7 +1,9 @@
 package mmneat.mspacman.sensors;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
+import pacman.maze.MazeTables;
 import pacman.maze.Routes;
 
 /**
@@ -28,6 +30,14 @@ public final class Observation {
     @SuppressWarnings("NullAway.Init")
     private Game game;
 
+    /** Steps of the walks that are looked at. */
+    private final int lookAhead;
+
+    /** Distance below which a power pill is close. */
+    private final double closeness;
+
+    private @Nullable MazeTables maze;
+
     @SuppressWarnings("NullAway.Init")
     private SensorTables tables;
 
@@ -53,12 +63,26 @@ public final class Observation {
 
     private final SafetyTest safety = new SafetyTest(this, ghosts);
 
+    /**
+     * An observation of nothing yet; {@link #observe} gives it a game.
+     *
+     * @param settings say how far walks reach and when a power pill is close
+     */
+    public Observation(SensorSettings settings) {
+        lookAhead = settings.smallStepSimDepth();
+        closeness = settings.closePowerPillDistance();
+    }
+
     // ---- Taking in the state ----
 
-    /** Takes in the state of a game. */
-    public void observe(Game observed, SensorTables maze) {
+    /**
+     * Takes in the state of a game.
+     *
+     * @return whether the maze is another one than before
+     */
+    public boolean observe(Game observed) {
         game = observed;
-        enter(maze, observed.getMazeIndex());
+        boolean isAnotherMaze = enter(observed.mazeTables(), observed.getMazeIndex());
         placePacMan(observed.getPacmanCurrentNodeIndex());
         for (int word = 0; word < pills.bits().length; word++) {
             setPills(word, observed.pillBits(word));
@@ -73,19 +97,26 @@ public final class Observation {
                     observed.ghostLastMove(ghost));
         }
         conclude();
+        return isAnotherMaze;
     }
 
-    /** Sets the maze; pills are given afterwards. */
-    void enter(SensorTables maze, int index) {
+    /**
+     * Sets the maze; pills are given afterwards.
+     *
+     * @return whether it is another one than before
+     */
+    boolean enter(MazeTables newMaze, int index) {
         mazeIndex = index;
-        if (tables == maze) {
-            return;
+        if (maze == newMaze) {
+            return false;
         }
-        tables = maze;
-        ghosts.enter(maze);
-        pills.enter(maze.pills, maze.routes.rowCount(), maze.graph.pillWords());
-        powerPills.enter(maze.powerPills, maze.routes.rowCount(), 1);
+        maze = newMaze;
+        tables = SensorTables.of(newMaze, lookAhead, closeness);
+        ghosts.enter(tables);
+        pills.enter(tables.pills, tables.routes.rowCount(), tables.graph.pillWords());
+        powerPills.enter(tables.powerPills, tables.routes.rowCount(), 1);
         Arrays.fill(knownWalks, -1);
+        return true;
     }
 
     /** Sets Ms. Pac-Man's node. */

@@ -11,7 +11,7 @@ import pacman.maze.Routes;
 import pacman.maze.WalkTables;
 
 /** The tables of one maze that sensors use. Immutable; games and threads may share them. */
-public final class SensorTables {
+final class SensorTables {
 
     final MazeGraph graph;
     final MazeDistances distances;
@@ -37,7 +37,7 @@ public final class SensorTables {
      * @param lookAhead steps of the walks that are looked at
      * @param closeness distance below which a power pill is close
      */
-    public static SensorTables of(MazeTables maze, int lookAhead, double closeness) {
+    static SensorTables of(MazeTables maze, int lookAhead, double closeness) {
         // Large, and independent of the caller: the runs of one program share them through the maze.
         return maze.derived(
                 new Key(lookAhead, closeness),

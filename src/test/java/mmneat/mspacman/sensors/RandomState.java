@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import mmneat.random.ResumableRandom;
 import pacman.maze.MazeGraph;
+import pacman.maze.MazeTables;
 
 /** Positions, timers and pills drawn at random: legal for sensors, not necessarily reachable in a game. */
 public final class RandomState {
@@ -142,8 +143,8 @@ public final class RandomState {
     }
 
     /** Shows the state to sensors. */
-    public void show(Observation observation, SensorTables tables) {
-        observation.enter(tables, 0);
+    public void show(Observation observation, MazeTables maze) {
+        observation.enter(maze, 0);
         observation.placePacMan(pacMan);
         for (int word = 0; word < pills.length; word++) {
             observation.setPills(word, pills[word]);

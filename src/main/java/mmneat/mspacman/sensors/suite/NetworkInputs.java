@@ -5,11 +5,9 @@ import java.util.stream.IntStream;
 import mmneat.mspacman.sensors.GradedSensor;
 import mmneat.mspacman.sensors.Observation;
 import mmneat.mspacman.sensors.Sensor;
-import mmneat.mspacman.sensors.SensorTables;
 import mmneat.neat.network.Tanh;
 import org.jspecify.annotations.Nullable;
 import pacman.game.Game;
-import pacman.maze.MazeTables;
 
 /**
  * Reads games with the sensors of a suite: gives the inputs of a network for each direction. One thread uses it.
@@ -24,7 +22,7 @@ public final class NetworkInputs {
 
     private final SensorSuite suite;
     private final Sensor[] sensors;
-    private final Observation observation = new Observation();
+    private final Observation observation;
 
     /** Inputs that depend on {@link Observation#commonState} alone. */
     private final int[] common;
@@ -52,13 +50,9 @@ public final class NetworkInputs {
     /** The {@link Observation#commonState} for which {@link #common} was sensed last. */
     private long commonState = UNKNOWN;
 
-    private @Nullable MazeTables knownMaze;
-
-    @SuppressWarnings("NullAway.Init")
-    private SensorTables tables;
-
     NetworkInputs(SensorSuite suite) {
         this.suite = suite;
+        observation = new Observation(suite.settings());
         sensors = suite.sensors().toArray(Sensor[]::new);
         common = inputsThat(i -> sensors[i] instanceof CommonSensor);
         undirected = inputsThat(i -> !sensors[i].isDirectional() && !(sensors[i] instanceof CommonSensor));
@@ -95,13 +89,9 @@ public final class NetworkInputs {
      * @param game read, not changed
      */
     public void observe(Game game) {
-        MazeTables maze = game.mazeTables();
-        if (maze != knownMaze) {
-            knownMaze = maze;
-            tables = suite.tables(maze);
+        if (observation.observe(game)) {
             commonState = UNKNOWN;
         }
-        observation.observe(game, tables);
         senseCommon();
     }
 

@@ -6,8 +6,6 @@ import mmneat.mspacman.sensors.Observation;
 import mmneat.mspacman.sensors.Sensor;
 import mmneat.mspacman.sensors.SensorGroup;
 import mmneat.mspacman.sensors.SensorSettings;
-import mmneat.mspacman.sensors.SensorTables;
-import pacman.maze.MazeTables;
 
 /**
  * The sensors of a network in the order of its inputs. Immutable; threads share it, each
@@ -118,10 +116,5 @@ public final class SensorSuite {
     /** Creates an object that computes the values of these sensors in a game; one thread uses it. */
     public NetworkInputs newInputs() {
         return new NetworkInputs(this);
-    }
-
-    /** The tables of a maze. */
-    SensorTables tables(MazeTables maze) {
-        return SensorTables.of(maze, settings.smallStepSimDepth(), settings.closePowerPillDistance());
     }
 }

@@ -90,7 +90,7 @@ class FastSensorsTest {
     private static void compare(
             MazeTables maze, SensorSettings settings, RandomState state, SensorSuite suite, NetworkInputs senses) {
         ReferenceSensors reference = new ReferenceSensors(maze, state);
-        state.show(senses.observation(), suite.tables(maze));
+        state.show(senses.observation(), maze);
         senses.senseCommon();
         for (int d = 0; d < 4; d++) {
             if (senses.observation().isOpen(d)) {
