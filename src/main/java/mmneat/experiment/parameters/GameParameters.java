@@ -98,8 +98,6 @@ record GameParameters(
     /** The only supported kind of sensors and outputs: the network is activated once per direction. */
     private static final String MEDIATOR = "IICheckEachDirectionMediator";
 
-    private static final double CLOSE_TO_POWER_PILL = 10;
-
     private static final Map<String, Supplier<NewGhostController>> TEAMS = Map.of(
             "Legacy", Legacy::new,
             "Legacy2TheReckoning", Legacy2TheReckoning::new,
@@ -174,7 +172,7 @@ record GameParameters(
                 junctionsToSense,
                 smallStepSimDepth,
                 edibleTime,
-                CLOSE_TO_POWER_PILL,
+                SensorSettings.CLOSE_POWER_PILL_DISTANCE,
                 OwnClasses.names(ownSensors).stream()
                         .map(name -> labelled(name, classes.make("ownSensors", name, Sensor.class)))
                         .toList());

@@ -27,6 +27,9 @@ public record SensorSettings(
         double closePowerPillDistance,
         List<Sensor> own) {
 
+    /** Distance below which a power pill is close in the published experiments; no parameter changes it. */
+    public static final double CLOSE_POWER_PILL_DISTANCE = 10;
+
     /** Maximum length of walks in steps; there are too many longer ones. */
     static final int DEEPEST = 60;
 
@@ -60,7 +63,7 @@ public record SensorSettings(
 
     /** The 26 sensors of the interleaved and isolated versions, where ghosts are imprisoned while others are edible. */
     public static SensorSettings imprisoned() {
-        return new SensorSettings(IMPRISONED, 1, 30, 200, 10, List.of());
+        return new SensorSettings(IMPRISONED, 1, 30, 200, CLOSE_POWER_PILL_DISTANCE, List.of());
     }
 
     /**
