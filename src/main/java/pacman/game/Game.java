@@ -311,7 +311,7 @@ public final class Game {
             GameStep.updateMeetings(state);
         }
         if (updateLairTimes) {
-            GameStep.updateLairTimes(state);
+            LairExits.update(state);
         }
         if (updateExtraLife) {
             GameStep.updateExtraLife(state);
