@@ -15,7 +15,6 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import mmneat.random.ResumableRandom;
 import org.jspecify.annotations.Nullable;
-import pacman.game.Constants.GHOST;
 import pacman.game.GameRules.Conventions;
 import pacman.game.GameRules.Copies;
 import pacman.maze.MazeGraph;
@@ -23,8 +22,8 @@ import pacman.maze.MazePoses;
 import pacman.maze.MazeTables;
 
 /**
- * The state of a game, in fields and small arrays, and the resets that start a life or a level. {@link GameStep}
- * updates it.
+ * The state of a game, in fields and small arrays. {@link GameStep} updates it, and {@link LevelStart} starts its
+ * levels and lives.
  *
  * <p>Moves are 0 up, 1 right, 2 down, 3 left, 4 none. Source: docs/specification/simulator.md, sections 2.2, 2.8 and 5.
  */
@@ -55,8 +54,6 @@ final class GameState {
                     REMOVE_PILLS_NEAR_POWER_PILLS)
             .mapToInt(lost -> lost.bit)
             .sum();
-
-    private static final GHOST[] GHOST_TYPES = GHOST.values();
 
     /**
      * Factor on edible and lair times by level modulo 6. Because the constant is a float, some products are slightly
@@ -282,7 +279,7 @@ final class GameState {
         enterMaze();
         LevelPills.fill(this);
         LevelPills.fillPowerPills(this);
-        resetPositions();
+        LevelStart.resetPositions(this);
         applySwitches(rules.switches());
     }
 
@@ -341,58 +338,6 @@ final class GameState {
     void removePill(int pill) {
         pills[pill >> 6] &= ~(1L << pill);
         pillsLeft--;
-    }
-
-    /** Moves Ms. Pac-Man and the ghosts to their start positions, as at the start of a level and after a death. */
-    void resetPositions() {
-        ghostMultiplier = 1;
-        minGhostDistance = 0;
-        for (int ghost = 0; ghost < GHOSTS; ghost++) {
-            ghosts[POSE + ghost] = MazePoses.of(graph.lair(), NO_MOVE);
-            ghosts[EDIBLE + ghost] = 0;
-            ghosts[LAIR + ghost] = scaledTime(GHOST_TYPES[ghost].initialLairTime);
-        }
-        int powerPill = rules.mazes().startingPowerPill();
-        int start = powerPill < 0 ? graph.pacManStart() : graph.powerPillNode(powerPill);
-        pacManPose = MazePoses.of(start, Constants.MOVE.LEFT.ordinal());
-    }
-
-    /**
-     * Starts the next level, or ends the game after the last.
-     *
-     * @return whether positions were reset; false after the last level
-     */
-    boolean newLevel() {
-        if (history != null && isAnyEdible()) {
-            history.timesToEatAll.add(GameHistory.NEVER);
-        }
-        if (rules.levels().creditForRemainingPills()) {
-            int powerPillsLeft = Long.bitCount(powerPills);
-            score += Constants.POWER_PILL / 2 * powerPillsLeft + Constants.PILL / 2 * pillsLeft;
-            eatenPills += (powerPillsLeft + pillsLeft) / 2;
-        }
-        if (history != null) {
-            history.closeLevel(score);
-        }
-        if (rules.mazes().onlyMaze() < 0) {
-            mazeIndex = (mazeIndex + 1) % rules.mazes().mazes().count();
-        }
-        level++;
-        timesLevel++;
-        levelTime = 0;
-        ghostMultiplier = 1;
-        enterMaze();
-        if (level >= rules.levels().maximumLevel()) {
-            gameOver = true;
-            return false;
-        }
-        LevelPills.fill(this);
-        LevelPills.fillPowerPills(this);
-        if (has(REMOVE_PILLS_NEAR_POWER_PILLS)) {
-            LevelPills.removeNearPowerPills(this);
-        }
-        resetPositions();
-        return true;
     }
 
     /**

@@ -306,7 +306,7 @@ final class GameStep {
         if (state.lives <= 0) {
             state.gameOver = true;
         } else {
-            state.resetPositions();
+            LevelStart.resetPositions(state);
         }
     }
 
@@ -347,7 +347,7 @@ final class GameStep {
         boolean outOfTime = !state.rules.levels().fatalTimeLimit()
                 && state.levelTime >= state.rules.levels().levelTimeLimit();
         if (outOfTime || isCleared(state)) {
-            state.newLevel();
+            LevelStart.next(state);
         }
     }
 

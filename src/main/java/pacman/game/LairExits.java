@@ -84,7 +84,7 @@ final class LairExits {
     private static int[] leaveLair(GameState state, int[] ghosts, int ghost) {
         if (state.levelTime > 0 && state.has(GameSwitch.ONLY_ONE_LAIR_EXIT)) {
             int[] old = ghosts.clone();
-            return state.newLevel() ? old : ghosts;
+            return LevelStart.next(state) ? old : ghosts;
         }
         ghosts[POSE + ghost] = MazePoses.of(exitNode(state, ghost), MazePoses.move(ghosts[POSE + ghost]));
         state.minGhostDistance = 0;
