@@ -2,6 +2,7 @@ package mmneat.mspacman;
 
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.objectives.Objective;
+import mmneat.mspacman.sensors.GradedSensor;
 import mmneat.mspacman.sensors.Observation;
 import mmneat.mspacman.sensors.Sensor;
 import mmneat.neat.OwnPart;
@@ -15,9 +16,12 @@ public final class CheckedParts {
 
     private CheckedParts() {}
 
-    /** The sensor; its value must be finite. */
+    /** The sensor; its value must be finite. A graded sensor stays one, and its grade must be one of its grades. */
     public static Sensor of(Sensor sensor) {
-        return new CheckedSensor(sensor, OwnPart.of("sensor", sensor));
+        OwnPart part = OwnPart.of("sensor", sensor);
+        return sensor instanceof GradedSensor graded
+                ? new CheckedGradedSensor(graded, part)
+                : new CheckedSensor(sensor, part);
     }
 
     /** The division; the module must be one of its modules. */
@@ -34,17 +38,54 @@ public final class CheckedParts {
 
         @Override
         public String label() {
-            return sensor.label();
+            return part.call(sensor::label);
         }
 
         @Override
         public boolean isDirectional() {
-            return sensor.isDirectional();
+            return part.call(sensor::isDirectional);
         }
 
         @Override
         public double sense(Observation observation) {
             return part.number(() -> sensor.sense(observation));
+        }
+    }
+
+    private record CheckedGradedSensor(GradedSensor sensor, OwnPart part) implements GradedSensor {
+
+        @Override
+        public String label() {
+            return part.call(sensor::label);
+        }
+
+        @Override
+        public boolean isDirectional() {
+            return part.call(sensor::isDirectional);
+        }
+
+        @Override
+        public int grades() {
+            int grades = part.call(sensor::grades);
+            if (grades < 1) {
+                throw part.bad("has " + grades + " grades; it must have at least 1");
+            }
+            return grades;
+        }
+
+        @Override
+        public double value(int grade) {
+            return part.number(() -> sensor.value(grade));
+        }
+
+        @Override
+        public int grade(Observation observation) {
+            int grade = part.call(() -> sensor.grade(observation));
+            int grades = grades();
+            if (grade < 0 || grade >= grades) {
+                throw part.bad("gave grade " + grade + "; it must be 0 to " + (grades - 1));
+            }
+            return grade;
         }
     }
 

@@ -13,6 +13,7 @@ import mmneat.CompiledClasses;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
+import mmneat.neat.BadPartException;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -118,8 +119,21 @@ class OwnPartsFailingTest {
                         "Undirected public String label() { return \"x\"; } public boolean isDirectional() { return"
                                 + " false; }" + sense + "return 1.0 / 0; }",
                         "SenseThrower public String label() { return \"x\"; }" + sense + THROW + "}",
+                        "SideThrower public String label() { return \"x\"; } public boolean isDirectional() {" + THROW
+                                + "}" + sense + "return 0; }",
                         "SenseLabel public String label() {" + THROW + "}" + sense + "return 0; }")
                 .map(each -> source(each, "implements mmneat.mspacman.sensors.Sensor"))
+                .forEach(sources::add);
+        String grade = "public String label() { return \"x\"; }"
+                + " public int grade(mmneat.mspacman.sensors.Observation observation) {";
+        String values = "public int grades() { return 4; } public double value(int grade) {";
+        Stream.of(
+                        "GradeOutside " + grade + "return 4; }" + values + "return grade; }",
+                        "EndlessGrade " + grade + "return 1; }" + values + "return 1.0 / (grade - 3); }",
+                        "GradeThrower " + grade + THROW + "}" + values + "return grade; }",
+                        "NoGrades " + grade + "return 0; } public int grades() { return 0; }"
+                                + " public double value(int grade) { return 0; }")
+                .map(each -> source(each, "implements mmneat.mspacman.sensors.GradedSensor"))
                 .forEach(sources::add);
         String controller = "extends pacman.controllers.Controller<"
                 + "java.util.EnumMap<pacman.game.Constants.GHOST, pacman.game.Constants.MOVE>>";
@@ -185,6 +199,8 @@ class OwnPartsFailingTest {
                 ownSensors=my.Blind               | sensor my.Blind: gave NaN; it must give a finite number
                 ownSensors=my.Undirected          | sensor my.Undirected: gave Infinity; it must give a finite number
                 ownSensors=my.SenseThrower        | sensor my.SenseThrower: threw java.lang.IllegalStateException: no idea at my.SenseThrower.sense
+                ownSensors=my.GradeOutside        | sensor my.GradeOutside: gave grade 4; it must be 0 to 3
+                ownSensors=my.GradeThrower        | sensor my.GradeThrower: threw java.lang.IllegalStateException: no idea at my.GradeThrower.grade
                 ghostTeam=my.MoveThrower          | ghost team my.MoveThrower: threw java.lang.IllegalStateException: no idea at my.MoveThrower.getMove
                 pacmanMultitaskScheme=my.NegativeModule | division my.NegativeModule: gave module -1; it must be 0 to 1
                 pacmanMultitaskScheme=my.ThirdModule    | division my.ThirdModule: gave module 2; it must be 0 to 1
@@ -217,6 +233,20 @@ class OwnPartsFailingTest {
         assertThatThrownBy(() -> run(word, word.startsWith("pacmanMulti") ? "method=MT2" : "method=2M"))
                 .isInstanceOf(UserError.class)
                 .hasMessage(message);
+    }
+
+    /** The program prints the message of this exception alone, as it does for a user's mistake. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                ownSensors=my.SideThrower         | sensor my.SideThrower: threw java.lang.IllegalStateException: no idea at my.SideThrower.isDirectional
+                ownSensors=my.EndlessGrade        | sensor my.EndlessGrade: gave Infinity; it must give a finite number
+                ownSensors=my.NoGrades            | sensor my.NoGrades: has 0 grades; it must have at least 1
+                """)
+    void sensorThatFailsBeforeTheFirstGame_isNamed(String word, String message) {
+        assertThatThrownBy(() -> run(word))
+                .isInstanceOf(BadPartException.class)
+                .hasMessageStartingWith(message)
+                .hasMessageNotContaining("\n");
     }
 
     /** By the rules of the game, a ghost without a move or with an impossible one goes on. */

@@ -62,6 +62,13 @@ class OwnPartsTest {
                 + " public int modules() { return 2; }"
                 + " public int module(mmneat.mspacman.sensors.Observation observation) {"
                 + " return observation.isAtJunction() ? 0 : 1; } }");
+        String edible = " { public String label() { return \"edible\"; }"
+                + " public int grade(mmneat.mspacman.sensors.Observation observation) {"
+                + " return observation.edibleGhosts(); } public int grades() { return 5; }"
+                + " public double value(int grade) { return grade / 8.0; } ";
+        sources.add("package my; public class Graded implements mmneat.mspacman.sensors.GradedSensor" + edible + "}");
+        sources.add("package my; public class Plain implements mmneat.mspacman.sensors.Sensor" + edible
+                + "public double sense(mmneat.mspacman.sensors.Observation o) { return value(grade(o)); } }");
         sources.add("package my; public class NoNumber implements mmneat.mspacman.objectives.Objective {"
                 + " public double score(pacman.game.Game game) { return Double.NaN; } }");
         sources.add("package my; public class NoName implements mmneat.neat.variation.MutationOperator {"
@@ -107,6 +114,15 @@ class OwnPartsTest {
             }
             return texts;
         }
+    }
+
+    @Test
+    void gradedSensor_equalsAPlainOneWithTheSameValues() throws Exception {
+        run("graded", 3, "ownSensors=my.Graded");
+        run("plain", 3, "ownSensors=my.Plain");
+        run("without", 3);
+
+        assertThat(files("graded")).isEqualTo(files("plain")).isNotEqualTo(files("without"));
     }
 
     private void assertMistake(String message, String... words) {
