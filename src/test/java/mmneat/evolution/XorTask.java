@@ -16,7 +16,7 @@ public final class XorTask implements Task {
     private final double noise;
     private final int repetitions;
 
-    /** The task without noise, which draws no random numbers. */
+    /** The task without noise: the random numbers that it draws have no effect on scores. */
     static XorTask exact() {
         return new XorTask(Map.of("noise", "0", "repetitions", "1"));
     }

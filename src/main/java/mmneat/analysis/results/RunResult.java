@@ -3,6 +3,8 @@ package mmneat.analysis.results;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import mmneat.experiment.UserError;
+import mmneat.experiment.parameters.StopScore;
 
 /**
  * The results of a run, read from its folder.
@@ -58,9 +60,9 @@ public record RunResult(
 
     private boolean hasReachedItsScore() {
         try {
-            return lastScore() >= Double.parseDouble(parameters.getOrDefault("stopAt", "NaN"));
-        } catch (NumberFormatException e) {
-            // Empty, or from the damaged file of another person: the run has no score to reach.
+            return lastScore() >= StopScore.of(parameters);
+        } catch (UserError e) {
+            // From the damaged file of another person: the run has no score to reach.
             return false;
         }
     }

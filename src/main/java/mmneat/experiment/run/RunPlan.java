@@ -3,6 +3,7 @@ package mmneat.experiment.run;
 import java.nio.file.Path;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.Parameters;
+import mmneat.experiment.parameters.StopScore;
 import mmneat.experiment.store.RunStatus;
 
 /**
@@ -24,12 +25,7 @@ public record RunPlan(int number, Path directory, String prefix, Parameters para
      * The champion score at which the run ends before its last generation ({@code stopAt}); infinity if there is none.
      */
     public double stopAt() {
-        String text = parameters.text("stopAt");
-        try {
-            return text.isEmpty() ? Double.POSITIVE_INFINITY : Double.parseDouble(text);
-        } catch (NumberFormatException e) {
-            throw new UserError("stopAt=" + text + ": must be a number", e);
-        }
+        return StopScore.of(parameters.values());
     }
 
     /** Whether the run needs no more generations: all are complete, or its champion has reached {@link #stopAt}. */

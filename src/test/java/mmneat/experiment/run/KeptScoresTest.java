@@ -135,6 +135,9 @@ class KeptScoresTest {
         assertThatThrownBy(() -> run(ExactXor.class, "bad", "stopAt=high"))
                 .isInstanceOf(UserError.class)
                 .hasMessage("stopAt=high: must be a number");
+        assertThatThrownBy(() -> run(ExactXor.class, "bad", "stopAt=NaN"))
+                .isInstanceOf(UserError.class)
+                .hasMessage("stopAt=NaN: must be a number");
         assertThatThrownBy(() -> run(ExactXor.class, "bad", "checkpointEvery=never"))
                 .isInstanceOf(UserError.class)
                 .hasMessageStartingWith("checkpointEvery=never: must be auto");
