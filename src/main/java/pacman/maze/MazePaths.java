@@ -228,11 +228,6 @@ public final class MazePaths {
         return pathStart[index + 1] - pathStart[index];
     }
 
-    /** A node of the stored path between two junctions: step 0 is the neighbour by the move. */
-    public int junctionPathNode(int from, int move, int to, int step) {
-        return pathNodes[pathStart[(4 * from + move) * junctions + to] + step];
-    }
-
     // ---- Paths that must not turn back ----
 
     /**
@@ -418,7 +413,12 @@ public final class MazePaths {
         return move == Corridors.NO_MOVE ? routes.continuing(node, Routes.NEUTRAL) : routes.leaving(node, move);
     }
 
-    private int writeJunctionPath(int from, int move, int to, int[] out, int start) {
+    /**
+     * Writes the nodes of the stored path between two junctions, from the neighbour by the move.
+     *
+     * @return the index after the last node written
+     */
+    int writeJunctionPath(int from, int move, int to, int[] out, int start) {
         int next = start;
         int index = (4 * from + move) * junctions + to;
         for (int i = pathStart[index]; i < pathStart[index + 1]; i++) {

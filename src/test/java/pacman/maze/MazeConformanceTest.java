@@ -141,9 +141,7 @@ class MazeConformanceTest {
                     }
                     for (int to = 0; to < graph.junctionCount(); to++) {
                         int[] path = new int[paths.junctionPathLength(from, move, to)];
-                        for (int step = 0; step < path.length; step++) {
-                            path[step] = paths.junctionPathNode(from, move, to, step);
-                        }
+                        paths.writeJunctionPath(from, move, to, path, 0);
                         addPath(path);
                     }
                 }

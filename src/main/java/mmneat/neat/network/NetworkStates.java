@@ -72,42 +72,18 @@ public final class NetworkStates {
                 active[count++] = states[i];
             }
         }
-        finish(count, random);
-    }
-
-    /**
-     * The same with a row of its own for each state.
-     *
-     * @param inputActivations activation of input j of state i at {@code [i][j]}; rows of states that make no step are
-     *     not read
-     * @throws IllegalArgumentException if a bit is set for which there is no state, or its row has too few values
-     * @throws IllegalStateException as for {@link NetworkState#activate}
-     */
-    public void activate(int which, double[][] inputActivations, ResumableRandom random) {
-        requireStates(which);
-        int count = 0;
-        for (int i = 0; i < states.length; i++) {
-            if ((which >>> i & 1) != 0) {
-                states[i].begin(inputActivations[i], 0);
-                active[count++] = states[i];
+        for (int i = 0; i < count; i++) {
+            if (i % 2 == 0) {
+                active[i].computeWith(active[Math.min(i + 1, count - 1)]);
             }
+            active[i].chooseModule(random);
         }
-        finish(count, random);
     }
 
     private void requireStates(int which) {
         if (which >>> states.length != 0) {
             throw new IllegalArgumentException("the bits " + Integer.toBinaryString(which)
                     + " name a state that does not exist; there are " + states.length + " states");
-        }
-    }
-
-    private void finish(int count, ResumableRandom random) {
-        for (int i = 0; i < count; i++) {
-            if (i % 2 == 0) {
-                active[i].computeWith(active[Math.min(i + 1, count - 1)]);
-            }
-            active[i].chooseModule(random);
         }
     }
 

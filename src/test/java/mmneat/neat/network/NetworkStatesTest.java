@@ -3,7 +3,6 @@ package mmneat.neat.network;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import mmneat.neat.Genotype;
@@ -51,11 +50,7 @@ class NetworkStatesTest {
                     state.presetModule(module);
                 }
             }
-            if (step % 2 == 0) {
-                together.activate(which, inputs, stride, draws);
-            } else {
-                together.activate(which, rows(which, inputs, stride), draws);
-            }
+            together.activate(which, inputs, stride, draws);
             for (int i = 0; i < STATES; i++) {
                 if ((which >>> i & 1) != 0) {
                     single[i].activateFrom(inputs, i * stride, expectedDraws);
@@ -69,15 +64,6 @@ class NetworkStatesTest {
                 assertEqualStates(genotype, together.get(i), single[i]);
             }
         }
-    }
-
-    /** One row per state that makes a step, null for the others. */
-    private static double[][] rows(int which, double[] inputs, int stride) {
-        double[][] rows = new double[STATES][];
-        for (int i = 0; i < STATES; i++) {
-            rows[i] = (which >>> i & 1) != 0 ? Arrays.copyOfRange(inputs, i * stride, (i + 1) * stride) : null;
-        }
-        return rows;
     }
 
     private static void assertEqualStates(Genotype genotype, NetworkState actual, NetworkState expected) {
@@ -241,9 +227,6 @@ class NetworkStatesTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> states.activate(3, new double[60], 29, draws))
                 .withMessage("stride must be at least the network's 30 inputs, is 29");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> states.activate(2, new double[][] {null, new double[29]}, draws))
-                .withMessage("the network has 30 inputs, got 29 values to be read from 0");
         states.activate(3, new double[60], 30, draws);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> states.clearlyHighest(3, 1))
