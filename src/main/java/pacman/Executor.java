@@ -159,8 +159,24 @@ public class Executor {
             Game game,
             boolean visual,
             int delay) {
+        runGame(pacManController, ghostController, game, visual, delay, NOTHING);
+    }
+
+    /**
+     * Plays the given game, and waits {@code delay} ms after each tick; an interrupt ends the waiting.
+     *
+     * @param afterStep called after each step with the game
+     */
+    public void runGame(
+            Controller<MOVE> pacManController,
+            Controller<EnumMap<GHOST, MOVE>> ghostController,
+            Game game,
+            boolean visual,
+            int delay,
+            Consumer<Game> afterStep) {
         Consumer<Game> show = painter(visual ? new GameView(game).showGame() : null);
         new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.NONE).play(game, state -> {
+            afterStep.accept(state);
             pause(delay);
             show.accept(state);
         });

@@ -284,9 +284,6 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
         if (games != 1) {
             throw new UserError("record=" + record + ": only one game can be recorded; use games=1");
         }
-        if (settings.isShown() && settings.timing() == Timing.NONE) {
-            throw new UserError("record=" + record + ": with view=true use timed=true too");
-        }
         requireEffect("check", !settings.isRepeated(), "the game is recorded");
         OutputFile.require("record", record);
     }

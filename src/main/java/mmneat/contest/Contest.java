@@ -44,9 +44,7 @@ public final class Contest {
     /**
      * Plays all games.
      *
-     * @param afterStep called with the game after each step, for example to record it. It is not called in untimed
-     *     games that are shown in a window, because {@link pacman.Executor#runGame} has no such call; a caller that
-     *     records and shows needs a timed game
+     * @param afterStep called with the game after each step, for example to record it
      * @param ended called with the result so far, in a shutdown hook, if the program is ended during the games
      * @return the result; it has fewer games than requested if a failure stopped the contest
      */

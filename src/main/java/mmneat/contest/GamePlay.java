@@ -61,7 +61,7 @@ final class GamePlay {
      * Plays a game.
      *
      * @param number number of the game, from 1
-     * @param afterStep called with the game after each step, except in untimed games that are shown in a window
+     * @param afterStep called with the game after each step
      */
     Outcome play(Game game, int number, Consumer<Game> afterStep) {
         boolean isLimited = settings.moveLimit() != null && settings.timing() == Timing.NONE;
@@ -91,7 +91,7 @@ final class GamePlay {
                     settings.timing() == Timing.REAL_TIME ? Executor.Pace.REAL_TIME : Executor.Pace.UNTIL_ANSWERED;
             report = Optional.of(executor.runGameTimed(player, team, game, pace, settings.isShown(), afterStep));
         } else if (settings.isShown()) {
-            executor.runGame(player, team, game, true, Constants.DELAY);
+            executor.runGame(player, team, game, true, Constants.DELAY, afterStep);
         } else {
             executor.runExperiment(player, team, game, afterStep);
         }
