@@ -114,7 +114,7 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
             recording.requireContinuous();
             return recording;
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable(file, e);
         } catch (IllegalArgumentException e) {
             throw new UserError(file + ": " + e.getMessage(), e);
         }

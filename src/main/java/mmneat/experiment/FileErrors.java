@@ -43,6 +43,24 @@ public final class FileErrors {
     }
 
     /**
+     * Returns the error "FILE: cannot be read: REASON".
+     *
+     * @param file the file, or the word of the command line that names it, such as {@code maze=FILE}
+     */
+    public static UserError unreadable(Object file, IOException e) {
+        return new UserError(file + ": cannot be read: " + reason(e), e);
+    }
+
+    /**
+     * Returns the error "FILE: cannot be written: REASON".
+     *
+     * @param file the file
+     */
+    public static UserError unwritable(Object file, IOException e) {
+        return new UserError(file + ": cannot be written: " + reason(e), e);
+    }
+
+    /**
      * Returns the text "FILE: REASON", or the reason alone if the exception does not know the file. For callers that do
      * not know which file failed.
      */

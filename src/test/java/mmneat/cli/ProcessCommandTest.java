@@ -81,6 +81,17 @@ class ProcessCommandTest extends CommandTest {
     }
 
     @Test
+    void logsThatCannotBeRead_areNamedWithTheReason() throws IOException {
+        assertThat(execute(TASK, "base=" + base, "saveTo=A", "log=X", "mu=4", "maxGens=2", "quiet=true"))
+                .isZero();
+        String[] command = {"process", TASK, "base=" + base, "saveTo=A", "log=X"};
+        Path log = Files.write(base.resolve("A0/X0_parents_log.txt"), new byte[] {(byte) 0xFF, '\n'});
+        assertMistake(log + ": cannot be read: it is not a text in UTF-8", command);
+        Files.delete(log);
+        assertMistake(log + ": cannot be read: there is no such file", command);
+    }
+
+    @Test
     void statusOfAFile_isAnError() throws IOException {
         Path file = base.resolve("notes.txt");
         assertMistake(file + ": there is no such folder", "status", file.toString());

@@ -85,7 +85,7 @@ public record Champion(
         } catch (GenotypeFormatException e) {
             throw new UserError(e.getMessage(), e);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable(file, e);
         }
     }
 

@@ -131,7 +131,7 @@ public final class ChampionEvaluator implements AutoCloseable {
                         java.nio.file.StandardCopyOption.REPLACE_EXISTING,
                         java.nio.file.StandardCopyOption.ATOMIC_MOVE);
             } catch (IOException e) {
-                throw new UserError(summary + ": cannot be written: " + FileErrors.reason(e), e);
+                throw FileErrors.unwritable(summary, e);
             }
             return evaluation;
         }

@@ -73,7 +73,7 @@ public final class EvaluationReport implements EvaluationObserver {
             String report = of(settings, champion.genotype(), games, Long.parseLong(seed));
             DurableFiles.writeNamed(file, report.getBytes(StandardCharsets.UTF_8));
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be written: " + FileErrors.reason(e), e);
+            throw FileErrors.unwritable(file, e);
         }
         return file;
     }

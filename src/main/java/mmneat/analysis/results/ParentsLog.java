@@ -1,14 +1,10 @@
 package mmneat.analysis.results;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import mmneat.experiment.FileErrors;
-import mmneat.experiment.UserError;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.store.RunLayout;
 
 /**
@@ -32,7 +28,7 @@ final class ParentsLog {
             return RunLayout.championScoreColumnOfLog();
         }
         boolean found = false;
-        for (String line : lines(script)) {
+        for (String line : TextFiles.lines(script)) {
             found |= TITLE.matcher(line).matches();
             Matcher largest = LARGEST.matcher(line);
             if (found && largest.matches()) {
@@ -40,13 +36,5 @@ final class ParentsLog {
             }
         }
         return RunLayout.championScoreColumnOfLog();
-    }
-
-    private static List<String> lines(Path file) {
-        try {
-            return Files.readAllLines(file, StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
-        }
     }
 }

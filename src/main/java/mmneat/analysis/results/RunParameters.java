@@ -1,13 +1,10 @@
 package mmneat.analysis.results;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import mmneat.experiment.FileErrors;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.OriginalParameterFile;
 import mmneat.experiment.parameters.ParameterCatalogue;
@@ -28,12 +25,8 @@ public final class RunParameters {
         if (file.endsWith(RunLayout.PARAMETERS)) {
             return PropertiesFile.read(file);
         }
-        try {
-            return OriginalParameterFile.of(Files.readAllLines(file, StandardCharsets.UTF_8), ParameterCatalogue.load())
-                    .values();
-        } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
-        }
+        return OriginalParameterFile.of(TextFiles.lines(file), ParameterCatalogue.load())
+                .values();
     }
 
     /**

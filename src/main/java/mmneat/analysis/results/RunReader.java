@@ -8,7 +8,6 @@ import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -17,6 +16,7 @@ import java.util.Optional;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.JsonProblem;
 import mmneat.experiment.PlainText;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.SymbolicLinks;
@@ -75,7 +75,7 @@ public final class RunReader {
     }
 
     private static double[] column(Path file, int headerLines, String separator, int column) {
-        List<String> rows = lines(file);
+        List<String> rows = TextFiles.lines(file);
         double[] scores = new double[Math.max(0, rows.size() - headerLines)];
         for (int i = 0; i < scores.length; i++) {
             String[] fields = rows.get(i + headerLines).split(separator);
@@ -95,14 +95,6 @@ public final class RunReader {
             throw new UserError(file + ": holds no generation yet; wait for the run or leave it out");
         }
         return scores;
-    }
-
-    private static List<String> lines(Path file) {
-        try {
-            return Files.readAllLines(file, StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
-        }
     }
 
     private static int number(Path folder, Map<String, String> parameters) {
@@ -148,7 +140,7 @@ public final class RunReader {
         } catch (JacksonException e) {
             throw new UserError(file + ": is damaged (" + JsonProblem.of(e) + ")" + remedy, e);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable(file, e);
         }
     }
 }

@@ -142,7 +142,7 @@ public final class GameOptions {
         try (Reader text = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
             return GhostLocations.read(file.toString(), text);
         } catch (IOException e) {
-            throw new UserError("ghostLocations=" + file + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable("ghostLocations=" + file, e);
         } catch (IllegalArgumentException e) {
             throw new UserError("ghostLocations: " + e.getMessage(), e);
         }
@@ -156,7 +156,7 @@ public final class GameOptions {
         try {
             return Mazes.of(List.of(MazeTables.read(file)));
         } catch (IOException e) {
-            throw new UserError("maze=" + file + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable("maze=" + file, e);
         } catch (IllegalArgumentException e) {
             throw new UserError(e.getMessage(), e);
         }

@@ -64,7 +64,7 @@ public final class OutputFile {
         try {
             DurableFiles.writeNamed(file, content);
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be written: " + FileErrors.reason(e), e);
+            throw FileErrors.unwritable(file, e);
         }
     }
 }

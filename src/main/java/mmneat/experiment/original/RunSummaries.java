@@ -1,7 +1,5 @@
 package mmneat.experiment.original;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -10,6 +8,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import mmneat.evolution.SampleStatistics;
 import mmneat.evolution.Task;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DoubleText;
 import mmneat.experiment.store.RunFolder;
@@ -219,14 +218,10 @@ public final class RunSummaries {
 
     private List<double[]> rows(int run, String file) {
         Path path = path(run, file);
-        try {
-            List<String> lines = Files.readAllLines(path);
-            List<double[]> rows = new ArrayList<>(lines.size());
-            IntStream.range(0, lines.size()).forEach(i -> rows.add(numbers(path, i, lines.get(i))));
-            return rows;
-        } catch (IOException e) {
-            throw new UserError(path + ": cannot be read: " + e.getClass().getSimpleName(), e);
-        }
+        List<String> lines = TextFiles.lines(path);
+        List<double[]> rows = new ArrayList<>(lines.size());
+        IntStream.range(0, lines.size()).forEach(i -> rows.add(numbers(path, i, lines.get(i))));
+        return rows;
     }
 
     private static double[] numbers(Path file, int index, String line) {

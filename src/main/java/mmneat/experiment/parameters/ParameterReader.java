@@ -203,7 +203,7 @@ public final class ParameterReader {
             }
             Parameters.defaults(catalogue).with(layer);
         } catch (IOException e) {
-            throw new UserError("config=" + name + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable("config=" + name, e);
         } catch (UserError e) {
             throw new UserError(name + ": " + e.getMessage(), e);
         }

@@ -33,7 +33,7 @@ public final class PropertiesFile {
         try {
             return read(Files.readString(file));
         } catch (IOException e) {
-            throw new UserError(file + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable(file, e);
         } catch (UserError e) {
             throw new UserError(file + ": " + e.getMessage(), e);
         }

@@ -62,7 +62,7 @@ public final class Tasks {
         try (Reader reader = Files.newBufferedReader(path)) {
             return GhostLocations.read(file, reader);
         } catch (IOException e) {
-            throw new UserError(GHOST_LOCATIONS + "=" + file + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable(GHOST_LOCATIONS + "=" + file, e);
         } catch (IllegalArgumentException e) {
             throw new UserError(GHOST_LOCATIONS + "=" + e.getMessage(), e);
         }

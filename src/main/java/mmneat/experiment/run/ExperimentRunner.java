@@ -105,7 +105,7 @@ public final class ExperimentRunner {
                 run.requireAtLeast(status.get().generation());
             }
         } catch (IOException e) {
-            throw new UserError(run.directory() + ": cannot be read: " + FileErrors.reason(e), e);
+            throw FileErrors.unreadable(run.directory(), e);
         }
     }
 

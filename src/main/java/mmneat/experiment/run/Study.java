@@ -144,7 +144,7 @@ public record Study(List<Part> parts, List<String> remarks) {
             try {
                 return RunStatus.read(run.directory()).filter(run::isFinished).isPresent();
             } catch (IOException e) {
-                throw new UserError(run.directory() + ": cannot be read: " + FileErrors.reason(e), e);
+                throw FileErrors.unreadable(run.directory(), e);
             }
         }
     }
