@@ -6,8 +6,8 @@ import java.util.Locale;
 import mmneat.analysis.replay.RecordedStates;
 import mmneat.analysis.replay.ReplayPage;
 import mmneat.analysis.replay.ReplayTitle;
+import mmneat.cli.options.DelayOption;
 import mmneat.cli.options.GameOptions;
-import mmneat.cli.options.Range;
 import mmneat.cli.output.Display;
 import mmneat.cli.output.OutputFile;
 import mmneat.experiment.FileErrors;
@@ -15,7 +15,6 @@ import mmneat.experiment.UserError;
 import org.jspecify.annotations.Nullable;
 import pacman.Executor;
 import pacman.Recording;
-import pacman.game.Constants;
 import pacman.game.Game;
 import pacman.game.GameRules;
 import picocli.CommandLine.Command;
@@ -41,18 +40,11 @@ import picocli.CommandLine.Parameters;
         })
 final class ReplayCommand extends ConsoleCommand implements Runnable {
 
-    private static final int LONGEST_DELAY_MILLISECONDS = 60_000;
-
     @Parameters(arity = "0..1", paramLabel = "FILE", description = "The recording.")
     private @Nullable Path file;
 
-    @Option(
-            names = "delay",
-            paramLabel = "MS",
-            defaultValue = "" + Constants.DELAY,
-            description = "Milliseconds per step (default: ${DEFAULT-VALUE}).")
-    @Range(min = 0, max = LONGEST_DELAY_MILLISECONDS)
-    private int delay;
+    @Mixin
+    private DelayOption delay;
 
     @Option(
             names = "view",
@@ -88,7 +80,7 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
         }
         GameRules rules = game.rules(recording.rules());
         try {
-            Game replayed = new Executor().replayGame(recording, rules, view, view ? delay : 0);
+            Game replayed = new Executor().replayGame(recording, rules, view, view ? delay.milliseconds() : 0);
             boolean isWon = replayed.getCurrentLevel() >= rules.levels().maximumLevel();
             out().println(recording.states().size() + " states: score " + replayed.getScore() + ", "
                     + (isWon

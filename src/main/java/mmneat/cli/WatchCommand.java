@@ -16,9 +16,9 @@ import mmneat.analysis.replay.Replay;
 import mmneat.analysis.replay.ReplayPage;
 import mmneat.analysis.replay.ReplayTitle;
 import mmneat.cli.options.ChampionChoice;
+import mmneat.cli.options.DelayOption;
 import mmneat.cli.options.GhostsOption;
 import mmneat.cli.options.JarOption;
-import mmneat.cli.options.Range;
 import mmneat.cli.options.RulesOption;
 import mmneat.cli.options.TaskOption;
 import mmneat.cli.output.Display;
@@ -27,7 +27,6 @@ import mmneat.cli.output.ProgressTicker;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import org.jspecify.annotations.Nullable;
-import pacman.game.Constants;
 import pacman.game.MachineFonts;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -52,8 +51,6 @@ import picocli.CommandLine.Parameters;
         })
 final class WatchCommand extends ConsoleCommand implements Runnable {
 
-    private static final int LONGEST_DELAY_MILLISECONDS = 60_000;
-
     @Parameters(arity = "0..1", paramLabel = "FILE", description = "Folder of a run, or file of a network.")
     private @Nullable Path file;
 
@@ -77,13 +74,8 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
                     + " (default: ${DEFAULT-VALUE}).")
     private boolean window;
 
-    @Option(
-            names = "delay",
-            paramLabel = "MS",
-            defaultValue = "" + Constants.DELAY,
-            description = "Milliseconds per step in the window (default: ${DEFAULT-VALUE}).")
-    @Range(min = 0, max = LONGEST_DELAY_MILLISECONDS)
-    private int delay;
+    @Mixin
+    private DelayOption delay;
 
     @Option(
             names = "seed",
@@ -145,7 +137,7 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
         if (!Display.isThere()) {
             throw new UserError("window=true needs a display, and there is none; write out=game.html or out=game.gif");
         }
-        int score = GameWindow.show(settings, champion.genotype(), seed, delay);
+        int score = GameWindow.show(settings, champion.genotype(), seed, delay.milliseconds());
         out().printf(Locale.ROOT, "%s: %,d points%n", champion.name(), score);
     }
 

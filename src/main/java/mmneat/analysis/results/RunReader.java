@@ -1,12 +1,8 @@
 package mmneat.analysis.results;
 
 import com.fasterxml.jackson.core.JacksonException;
-import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,6 +16,7 @@ import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.RunLayout;
 import mmneat.experiment.store.SymbolicLinks;
+import mmneat.neat.io.StrictJson;
 
 /**
  * Reader of the folder of a run of this program or of the original: the champion's scores, the parameters, the
@@ -33,13 +30,7 @@ public final class RunReader {
     /** The rules of the evaluations that experiments are compared by. */
     private static final String TRAINING = "training";
 
-    private static final ObjectMapper JSON = JsonMapper.builder()
-            .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
-            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-            .enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION)
-            .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
-            .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
-            .build();
+    private static final ObjectMapper JSON = StrictJson.mapper().build();
 
     private RunReader() {}
 

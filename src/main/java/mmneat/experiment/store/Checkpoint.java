@@ -2,12 +2,8 @@ package mmneat.experiment.store;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
 import com.fasterxml.jackson.annotation.JsonPropertyOrder;
-import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.DeserializationFeature;
-import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Objects;
@@ -17,6 +13,7 @@ import mmneat.evolution.EvolutionState;
 import mmneat.experiment.JsonProblem;
 import mmneat.experiment.PlainText;
 import mmneat.neat.io.GenotypeJson;
+import mmneat.neat.io.StrictJson;
 
 /**
  * The complete state of a run between two generations. A run that continues from it gives the same results as one that
@@ -40,14 +37,8 @@ public record Checkpoint(
 
     private static final String FORMAT = "mmneat-checkpoint";
     private static final int VERSION = 1;
-    private static final ObjectMapper JSON = JsonMapper.builder()
-            .addModule(GenotypeJson.module())
-            .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
-            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-            .enable(JsonParser.Feature.STRICT_DUPLICATE_DETECTION)
-            .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
-            .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
-            .build();
+    private static final ObjectMapper JSON =
+            StrictJson.mapper().addModule(GenotypeJson.module()).build();
 
     public Checkpoint {
         if (!FORMAT.equals(format) || version != VERSION) {
