@@ -36,11 +36,15 @@ public final class Network {
      * level are independent of each other. Outputs that no link reads come last and are computed only when they are
      * asked for ("lazy").
      *
-     * What is not always needed serves decisions alone: which module has the highest preference, which state the
-     * highest answer. Mostly they are far enough apart to be told from rough values (RoughTanh); the margin, found when
-     * compiling, says how far a rough sum can be from the exact one. Where that does not settle it, and whenever a
-     * value is read, the exact one is computed. What later steps read is always exact, so that rough values leave no
-     * trace.
+     * Activations serve decisions: which module has the highest preference, which state the highest answer. Mostly
+     * they are far enough apart to be told from rough values (RoughTanh); the margin, found when compiling, says how
+     * far a rough sum can be from the exact one. Where that does not settle it, and whenever a value is read, the exact
+     * one is computed.
+     *
+     * What later steps read may be rough, too, if recurrent links do not let the difference grow without bound. A state
+     * then keeps the activations of many steps. For an exact value it computes what later steps read once more, from
+     * the last exact step on. A flush mostly comes before that is ever needed. In other networks, what later steps read
+     * is always exact.
      *
      * Slots number what has an activation: first all inputs, then the neurons in that order. Nodes from which no output
      * can be reached in any number of steps have no slot.
@@ -69,7 +73,7 @@ public final class Network {
     final int[] slotOfOutput;
     /** Slot of each module's preference neuron; empty if modules have none. */
     final int[] slotOfPreference;
-    /** Whether sums can tell which module is preferred: of several, tanh, and not all needed by later steps. */
+    /** Whether sums can tell which module is preferred: of several, tanh, and not all exact anyway. */
     final boolean prefersBySums;
     /** Number of slots; the neurons are [inputs, slots). */
     final int slots;
@@ -79,6 +83,8 @@ public final class Network {
     final int[] groupStart;
     /** Group of each output neuron, by output number, lazy or not. */
     final int[] groupOfOutput;
+    /** Whether what later steps read may be rough: there are recurrent links, and the margin holds with them. */
+    final boolean isRoughThroughout;
     /** How far a rough sum can be from the exact one. */
     final double margin;
     /**
@@ -103,6 +109,7 @@ public final class Network {
             int[] slotOfNode,
             int[] groupStart,
             int[] groupOfOutput,
+            boolean isRoughThroughout,
             double margin,
             int remembered,
             int[] linkStart,
@@ -115,6 +122,7 @@ public final class Network {
         this.slots = linkStart.length - 1;
         this.groupStart = groupStart;
         this.groupOfOutput = groupOfOutput;
+        this.isRoughThroughout = isRoughThroughout;
         this.margin = margin;
         this.firstLazy = groupStart[groupStart.length - 1];
         this.remembered = remembered;
@@ -128,7 +136,7 @@ public final class Network {
         Arrays.setAll(slotOfPreference, module -> slotOfOutput[layout.preferenceOutput(module)]);
         prefersBySums = functions == null
                 && slotOfPreference.length > 1
-                && !Arrays.stream(slotOfPreference).allMatch(this::isAlwaysComputed);
+                && (isRoughThroughout || !Arrays.stream(slotOfPreference).allMatch(this::isAlwaysComputed));
     }
 
     /**

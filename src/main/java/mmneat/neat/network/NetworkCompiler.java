@@ -23,6 +23,9 @@ final class NetworkCompiler {
 
     private static final double UNIT_ROUNDING = 0x1p-53;
 
+    /** Passes after which a bound of differences that still grows is given up. */
+    private static final int MOST_PASSES = 50;
+
     private final Genotype genotype;
     private final int nodes;
     private final int inputs;
@@ -46,6 +49,9 @@ final class NetworkCompiler {
     /** Per position: the group of the node, as {@link Network} explains it. */
     private final int[] group;
 
+    /** Whether neurons that later steps need may be computed roughly, too. */
+    private final boolean isRoughThroughout;
+
     /** How far sums may be from what they are if neurons are computed roughly; 0 if none may be. */
     private final double margin;
 
@@ -67,12 +73,17 @@ final class NetworkCompiler {
         includeSourcesOfOutputs();
         if (!withAllNodes && allTanh()) {
             findGroups();
+            double ofAll = largestDifference(0);
+            isRoughThroughout = ofAll <= Network.LARGEST_MARGIN;
+            double largestDifference = isRoughThroughout ? ofAll : largestDifference(Network.SHARED);
+            if (largestDifference > Network.LARGEST_MARGIN) {
+                Arrays.fill(group, Network.ALWAYS);
+            }
+            margin = largestDifference > Network.LARGEST_MARGIN ? 0 : largestDifference;
+        } else {
+            isRoughThroughout = false;
+            margin = 0;
         }
-        double largestDifference = largestDifference();
-        if (largestDifference > Network.LARGEST_MARGIN) {
-            Arrays.fill(group, Network.ALWAYS);
-        }
-        margin = largestDifference > Network.LARGEST_MARGIN ? 0 : largestDifference;
     }
 
     Network compile() {
@@ -122,32 +133,51 @@ final class NetworkCompiler {
     }
 
     /**
-     * How far a sum can at most be from what it is if all neurons that are not always needed are computed roughly.
+     * How far a sum can at most be from the exact one, in any step, if neurons are computed roughly; infinite if no
+     * useful bound is found.
      *
      * <p>A sum's difference is what the differences of its addends make, times their weights, and the rounding of both
-     * sums; the tangent does not enlarge it, but has its own error.
+     * sums; the tangent does not enlarge it, but has its own error. One pass gives the differences of a step from those
+     * of the step before. It is linear but for a constant c, the differences after the first pass. So twice some
+     * differences hold in all steps if the next pass adds at most c/2 to each of them.
+     *
+     * @param first the first group that is computed roughly
      */
-    private double largestDifference() {
-        double[] sumDifference = new double[nodes];
-        double largest = 0;
-        for (int target = inputs; target < nodes; target++) {
-            if (included[target] && group[target] != Network.ALWAYS) {
-                double weights = 0;
-                double difference = 0;
-                for (int link = incomingStart[target]; link < incomingStart[target + 1]; link++) {
-                    int source = incomingSource[link];
-                    double weight = Math.abs(incomingWeight[link]);
-                    weights += weight;
-                    if (source >= inputs && source < target && group[source] != Network.ALWAYS) {
-                        difference += weight * (sumDifference[source] + RoughTanh.LARGEST_ERROR);
-                    }
+    private double largestDifference(int first) {
+        double[] difference = new double[nodes];
+        double[] constant = new double[nodes];
+        for (int pass = 0; pass < MOST_PASSES; pass++) {
+            boolean isBound = pass > 0;
+            double largest = 0;
+            for (int target = inputs; target < nodes; target++) {
+                if (included[target] && group[target] >= first) {
+                    double next = differenceOfSum(target, first, difference);
+                    constant[target] = pass == 0 ? next : constant[target];
+                    isBound &= next - difference[target] <= constant[target] / 2;
+                    difference[target] = next;
+                    largest = Math.max(largest, 2 * next);
                 }
-                int addends = incomingStart[target + 1] - incomingStart[target] + 1;
-                sumDifference[target] = difference + 4 * addends * UNIT_ROUNDING * weights;
-                largest = Math.max(largest, sumDifference[target]);
+            }
+            if (isBound || largest > Network.LARGEST_MARGIN) {
+                return largest;
             }
         }
-        return largest;
+        return Double.POSITIVE_INFINITY;
+    }
+
+    private double differenceOfSum(int target, int firstRough, double[] difference) {
+        double weights = 0;
+        double sum = 0;
+        for (int link = incomingStart[target]; link < incomingStart[target + 1]; link++) {
+            int source = incomingSource[link];
+            double weight = Math.abs(incomingWeight[link]);
+            weights += weight;
+            if (source >= inputs && group[source] >= firstRough) {
+                sum += weight * (difference[source] + RoughTanh.LARGEST_ERROR);
+            }
+        }
+        int addends = incomingStart[target + 1] - incomingStart[target] + 1;
+        return sum + 4 * addends * UNIT_ROUNDING * weights;
     }
 
     private int countActiveLinks() {
@@ -320,6 +350,7 @@ final class NetworkCompiler {
                 slotOfNode,
                 groupStart,
                 Arrays.copyOfRange(group, firstOutput, nodes),
+                isRoughThroughout && hasRecurrentLinks,
                 margin,
                 hasRecurrentLinks ? groupStart[Network.ALWAYS + 1] - inputs : 0,
                 linkStart,

@@ -16,15 +16,23 @@ import org.jspecify.annotations.Nullable;
  */
 public final class NetworkState {
 
-    /** The answer of {@link #clearlyHighest}: too close. */
-    static final int UNCLEAR = -1;
+    /** Steps whose activations are kept if what later steps read is computed roughly. */
+    private static final int KEPT_STEPS = 128;
 
     private final Network network;
     /**
      * Activation of each slot that is not lazy, as far as its group is computed; behind them the activations of the
      * previous step that recurrent links read.
      */
-    final double[] activations;
+    private double[] activations;
+
+    /** Activations of the last steps; {@link #activations} is the element {@link #step}. */
+    private final double[][] steps;
+
+    private int step = -1;
+
+    /** The first of them in which {@link Network#ALWAYS} is not exact, though its recurrent links read exact values. */
+    private int firstRough;
 
     /** Groups that were computed in this step, as a set of {@link #bit}: at least roughly, and to the last bit. */
     private long computed;
@@ -47,11 +55,13 @@ public final class NetworkState {
 
     NetworkState(Network network, ModuleArbitration arbitration) {
         this.network = network;
-        activations = new double[network.slots + network.remembered];
         moduleUsage = new int[network.modules()];
         preferences = new double[network.modules()];
         ModuleArbitration complete = arbitration.of(network.layout);
         arbiter = complete.isPlain() ? null : new ModuleArbiter(network.layout, complete);
+        steps = new double[network.isRoughThroughout && arbiter == null ? KEPT_STEPS : 1]
+                [network.slots + network.remembered];
+        activations = steps[0];
         prefersBySums = arbiter == null && network.prefersBySums;
     }
 
@@ -144,6 +154,8 @@ public final class NetworkState {
     public void flush() {
         if (!flushed) {
             Arrays.fill(activations, 0);
+            step = -1;
+            firstRough = 0;
             if (arbiter != null) {
                 arbiter.flush();
             }
@@ -260,12 +272,25 @@ public final class NetworkState {
     /** Computes the exact activations of a group, and of those that it depends on. */
     void computeExactly(int group) {
         if ((exact & bit(group)) == 0) {
-            if (group != Network.ALWAYS) {
+            if (group == Network.ALWAYS) {
+                computeKeptStepsExactly();
+            } else {
                 computeExactly(group == Network.SHARED ? Network.ALWAYS : Network.SHARED);
+                propagate(group);
             }
-            propagate(group);
             setExact(group);
         }
+    }
+
+    private void computeKeptStepsExactly() {
+        for (int i = firstRough; i <= step; i++) {
+            activations = steps[i];
+            if (i > firstRough) {
+                recall(steps[i - 1]);
+            }
+            propagate(Network.ALWAYS);
+        }
+        firstRough = step + 1;
     }
 
     /** Computes a group roughly for this state and another, as far as they do not have it. */
@@ -291,7 +316,9 @@ public final class NetworkState {
      * @param other a state that makes the same part of its step side by side; this one if there is none
      */
     void computeWith(NetworkState other) {
-        if (other == this || network.functions != null) {
+        if (steps.length > 1) {
+            computeRoughly(other, Network.ALWAYS);
+        } else if (other == this || network.functions != null) {
             computeExactly(Network.ALWAYS);
             other.computeExactly(Network.ALWAYS);
         } else {
@@ -342,12 +369,27 @@ public final class NetworkState {
         return slot >= network.firstLazy;
     }
 
-    /** Keeps what recurrent links read before it is overwritten. */
+    /** Goes on to the next step, with what recurrent links read of the present one. */
     private void remember() {
+        if (step == steps.length - 1) {
+            computeExactly(Network.ALWAYS);
+            firstRough = step + 1;
+        }
+        if (firstRough > step) {
+            step = -1;
+            firstRough = 0;
+        }
+        double[] before = activations;
+        activations = steps[++step];
+        recall(before);
         flushed = false;
         exact = 0;
         computed = 0;
-        System.arraycopy(activations, network.inputs, activations, network.slots, network.remembered);
+    }
+
+    /** Copies what recurrent links read from the activations of the step before. */
+    private void recall(double[] before) {
+        System.arraycopy(before, network.inputs, activations, network.slots, network.remembered);
     }
 
     private double sum(int slot) {
@@ -370,8 +412,8 @@ public final class NetworkState {
             random.nextInt(1);
             return network.layout.standardMultitask() ? presetModule : 0;
         }
-        int clear = prefersBySums ? clearlyHighest(preferences, preferences.length, network.margin) : UNCLEAR;
-        if (clear != UNCLEAR) {
+        int clear = prefersBySums ? HighestSum.of(preferences, preferences.length, network.margin) : HighestSum.UNCLEAR;
+        if (clear != HighestSum.UNCLEAR) {
             random.nextInt(1);
             return clear;
         }
@@ -396,35 +438,5 @@ public final class NetworkState {
     /** Whether the answer can be told from a sum: a chosen module's neuron, its function tanh. */
     boolean answersBySum() {
         return network.functions == null && (arbiter == null || !arbiter.averages());
-    }
-
-    /**
-     * The index of the sum with the highest tanh, as far as it is clear.
-     *
-     * @param count number of sums
-     * @param margin how far each may be from the exact sum
-     * @return {@link #UNCLEAR} if two could have the same tanh, or the highest is near -1
-     */
-    static int clearlyHighest(double[] sums, int count, double margin) {
-        /*
-         * tanh rises, so the highest sum mostly tells the highest activation. Rounding, by less than 2 units in the
-         * last place or 2.3e-16 of our tanh, could make two activations equal or swap them only if the sums are close
-         * together or both far out: for u > l + d, u > -b and l < b (d at most 1), tanh(u) - tanh(l) is more than d (1
-         * - tanh(b + 1)^2), which is
-         *
-         *   d = 1e-9, b = 5     2e-14
-         *   d = 1e-2, b = 13    3e-14.
-         */
-        int best = 0;
-        double second = Double.NEGATIVE_INFINITY;
-        for (int i = 1; i < count; i++) {
-            // A sum that is not a number stays the second one.
-            second = Math.max(second, Math.min(sums[best], sums[i]));
-            best = sums[i] > sums[best] ? i : best;
-        }
-        double difference = sums[best] - second - 2 * margin;
-        boolean clear = difference > 1e-9 && sums[best] > -5 && second < 5
-                || difference > 1e-2 && sums[best] > -13 && second < 13;
-        return clear ? best : UNCLEAR;
     }
 }

@@ -109,10 +109,10 @@ public final class NetworkStates {
             }
         }
         if (count == 0 || !active[0].answersBySum()) {
-            return NetworkState.UNCLEAR;
+            return HighestSum.UNCLEAR;
         }
         int highest = clearlyHighestSum(count, neuron);
-        return highest == NetworkState.UNCLEAR ? highest : indexOf(active[highest]);
+        return highest == HighestSum.UNCLEAR ? highest : indexOf(active[highest]);
     }
 
     private int clearlyHighestSum(int count, int neuron) {
@@ -120,7 +120,7 @@ public final class NetworkStates {
             last = i + 1 < count && active[i + 1].lastModule() == active[i].lastModule() ? i + 1 : i;
             active[i].sumAnswersRoughly(active[last], neuron, answers, i, last);
         }
-        return NetworkState.clearlyHighest(answers, count, network.margin);
+        return HighestSum.of(answers, count, network.margin);
     }
 
     private int indexOf(NetworkState state) {

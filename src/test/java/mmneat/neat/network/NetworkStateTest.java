@@ -151,12 +151,17 @@ class NetworkStateTest {
      * not at all.
      */
     static Genotype withLargeWeights(Genotype genotype, SplittableRandom random) {
+        return withScaledWeights(genotype, random, 0, 12);
+    }
+
+    /** The genotype with weights times powers of two, whose exponents are drawn from a range without its end. */
+    static Genotype withScaledWeights(Genotype genotype, SplittableRandom random, int lowest, int end) {
         List<LinkGene> links = genotype.links().stream()
                 .map(link -> new LinkGene(
                         link.innovation(),
                         link.source(),
                         link.target(),
-                        link.weight() * Math.scalb(1.0, random.nextInt(12)),
+                        link.weight() * Math.scalb(1.0, random.nextInt(lowest, end)),
                         link.active(),
                         link.recurrent(),
                         link.frozen()))

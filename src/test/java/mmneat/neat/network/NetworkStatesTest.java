@@ -14,6 +14,10 @@ class NetworkStatesTest {
 
     private static final int GENOTYPES = 200;
     private static final int STEPS = 60;
+
+    /** More than the steps whose activations a state keeps. */
+    private static final int MANY_STEPS = 300;
+
     private static final int STATES = 5;
 
     private final SplittableRandom random = new SplittableRandom(11);
@@ -148,6 +152,54 @@ class NetworkStatesTest {
     }
 
     @Test
+    void valuesOfManySteps_areExact_howeverSeldomTheyAreRead() {
+        int roughThroughout = 0;
+        int exactRecurrent = 0;
+        for (int i = 0; i < GENOTYPES; i++) {
+            Genotype genotype = i % 2 == 0 ? SampleGenotypes.champion(random) : NetworkStateTest.randomGenotype(random);
+            // Recurrent links of small weights let differences fade away.
+            Network network = Network.compile(
+                    i % 4 < 3 ? NetworkStateTest.withScaledWeights(genotype, random, -6, i % 4 - 1) : genotype);
+            roughThroughout += network.isRoughThroughout ? 1 : 0;
+            exactRecurrent += network.remembered > 0 && !network.isRoughThroughout ? 1 : 0;
+            NetworkStates together = network.newStates(2);
+            NetworkState[] single = {network.newState(), network.newState()};
+            ResumableRandom draws = new ResumableRandom(9);
+            ResumableRandom expectedDraws = draws.copy();
+            for (int step = 0; step < MANY_STEPS; step++) {
+                double[] inputs =
+                        random.doubles(2L * genotype.inputs(), -0.7, 0.7).toArray();
+                together.activate(3, inputs, genotype.inputs(), draws);
+                together.clearlyHighest(3, 0);
+                for (int state = 0; state < 2; state++) {
+                    single[state].activateFrom(inputs, state * genotype.inputs(), expectedDraws);
+                    assertThat(together.get(state).lastModule()).isEqualTo(single[state].lastModule());
+                    assertRoughSumsAreClose(together.get(state), single[state]);
+                    if (random.nextInt(200) == 0) {
+                        assertEqualStates(genotype, together.get(state), single[state]);
+                    } else if (random.nextInt(400) == 0) {
+                        together.get(state).flush();
+                        single[state].flush();
+                    }
+                }
+            }
+        }
+        assertThat(roughThroughout).isGreaterThan(GENOTYPES / 5);
+        assertThat(exactRecurrent).isGreaterThan(GENOTYPES / 20);
+    }
+
+    private static void assertRoughSumsAreClose(NetworkState rough, NetworkState exact) {
+        Network network = exact.network();
+        if (network.functions == null) {
+            double[] sums = new double[2];
+            rough.sumAnswersRoughly(rough, 0, sums, 0, 0);
+            exact.policyOutput(0);
+            exact.sumAnswersRoughly(exact, 0, sums, 1, 1);
+            assertThat(Math.abs(sums[0] - sums[1])).isLessThanOrEqualTo(network.margin);
+        }
+    }
+
+    @Test
     void exactValues_stayExact_afterTheAnswersAreCompared() {
         ModuleLayout[] layouts = {
             ModuleLayout.multitask(3, 1), SampleGenotypes.withPreference(3), SampleGenotypes.withPreference(70)
@@ -177,19 +229,18 @@ class NetworkStatesTest {
         for (int i = 0; i < 1_000_000; i++) {
             double first = random.nextDouble(-20, 20);
             double second = first + random.nextDouble(-1, 1) * Math.scalb(1.0, -random.nextInt(50));
-            int highest = NetworkState.clearlyHighest(new double[] {first, second}, 2, 0);
+            int highest = HighestSum.of(new double[] {first, second}, 2, 0);
             if (highest >= 0) {
                 double difference = StrictMath.tanh(first) - StrictMath.tanh(second);
                 if (!(highest == 0 ? difference > 0 : difference < 0)) {
-                    assertThat(highest).as("of %s and %s", first, second).isEqualTo(NetworkState.UNCLEAR);
+                    assertThat(highest).as("of %s and %s", first, second).isEqualTo(HighestSum.UNCLEAR);
                 }
             }
         }
-        assertThat(NetworkState.clearlyHighest(new double[] {1, 0.5}, 2, 0.2)).isZero();
-        assertThat(NetworkState.clearlyHighest(new double[] {1, 0.5}, 2, 0.3)).isEqualTo(NetworkState.UNCLEAR);
-        assertThat(NetworkState.clearlyHighest(new double[] {1, Double.NaN}, 2, 0))
-                .isEqualTo(NetworkState.UNCLEAR);
-        assertThat(NetworkState.clearlyHighest(new double[] {-14, -15}, 2, 0)).isEqualTo(NetworkState.UNCLEAR);
+        assertThat(HighestSum.of(new double[] {1, 0.5}, 2, 0.2)).isZero();
+        assertThat(HighestSum.of(new double[] {1, 0.5}, 2, 0.3)).isEqualTo(HighestSum.UNCLEAR);
+        assertThat(HighestSum.of(new double[] {1, Double.NaN}, 2, 0)).isEqualTo(HighestSum.UNCLEAR);
+        assertThat(HighestSum.of(new double[] {-14, -15}, 2, 0)).isEqualTo(HighestSum.UNCLEAR);
     }
 
     @Test
