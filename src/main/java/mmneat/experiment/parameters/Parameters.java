@@ -23,6 +23,7 @@ public final class Parameters {
 
     private static final JavaPropsMapper MAPPER = JavaPropsMapper.builder()
             .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+            .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
             .build();
 
     private final ParameterCatalogue catalogue;
@@ -103,7 +104,7 @@ public final class Parameters {
         return Boolean.parseBoolean(text(name));
     }
 
-    /** Returns the values as a record whose components have the parameters' names. */
+    /** Returns the values as a record whose components have the names of parameters in the catalogue. */
     public <T> T as(Class<T> record) {
         try {
             return MAPPER.readMapAs(values, record);

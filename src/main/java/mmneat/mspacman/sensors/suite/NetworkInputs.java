@@ -57,10 +57,9 @@ public final class NetworkInputs {
         common = inputsThat(i -> sensors[i] instanceof CommonSensor);
         undirected = inputsThat(i -> !sensors[i].isDirectional() && !(sensors[i] instanceof CommonSensor));
         directional = inputsThat(i -> sensors[i].isDirectional());
-        boolean isStandard = StandardInputs.serve(suite.settings());
-        standard = isStandard ? new StandardInputs(suite) : null;
-        int own = sensors.length - suite.settings().own().size();
-        single = isStandard ? inputsThat(i -> i >= own && sensors[i].isDirectional()) : directional;
+        StandardInputs fast = StandardInputs.serve(suite) ? new StandardInputs(suite) : null;
+        standard = fast;
+        single = fast == null ? directional : inputsThat(i -> sensors[i].isDirectional() && !fast.writes(i));
         tangents = new double[sensors.length][];
         for (int i = 0; i < sensors.length; i++) {
             tangents[i] = sensors[i] instanceof GradedSensor graded ? StandardInputs.tangents(graded) : null;

@@ -29,9 +29,13 @@ final class StandardInputs {
     private final double[] junctions;
     private final double[] options;
 
-    /** Input of the options from the next junction, or NONE. */
+    /** Input of the junctions ahead, the last of those that are written one after the other. */
+    private final int junctionsInput;
+
+    /** Input of the options from the next junction; -1 if there is none. */
     private final int optionsInput;
 
+    /** @param suite one that this class {@link #serve}s */
     StandardInputs(SensorSuite suite) {
         SensorSettings settings = suite.settings();
         nearest = settings.has(SensorGroup.NEAREST_GHOSTS);
@@ -44,16 +48,33 @@ final class StandardInputs {
         pills = tangents(new MostPillsAhead(settings.smallStepSimDepth()));
         junctions = tangents(new MostJunctionsAhead(settings.smallStepSimDepth()));
         options = tangents(new OptionsAfterJunction());
+        junctionsInput = junctionsInput(suite);
         optionsInput = suite.sensors().indexOf(new OptionsAfterJunction());
     }
 
-    /**
-     * Whether a choice of sensors has, besides the user's own, only directional sensors that this class computes.
-     */
-    static boolean serve(SensorSettings settings) {
+    /** Whether the sensors of a suite are, up to the junctions ahead, those that this class computes. */
+    static boolean serve(SensorSuite suite) {
+        SensorSettings settings = suite.settings();
+        int perGhost = 1 + count(settings, SensorGroup.APPROACHING) + count(settings, SensorGroup.TRAPPED);
+        int nearest = count(settings, SensorGroup.NEAREST_GHOSTS) * (perGhost + count(settings, SensorGroup.EDIBLE));
+        int ofEachKind = 2 * count(settings, SensorGroup.NEAREST_OF_EACH_KIND) * perGhost;
         return settings.junctionsToSense() == 1
                 && !settings.has(SensorGroup.TIME_VERSUS_DISTANCE)
-                && !settings.has(SensorGroup.NUMBERED_GHOSTS);
+                && !settings.has(SensorGroup.NUMBERED_GHOSTS)
+                && junctionsInput(suite) == 3 + Observation.GHOSTS * (nearest + ofEachKind) + 2;
+    }
+
+    private static int count(SensorSettings settings, SensorGroup group) {
+        return settings.has(group) ? 1 : 0;
+    }
+
+    private static int junctionsInput(SensorSuite suite) {
+        return suite.sensors().indexOf(new MostJunctionsAhead(suite.settings().smallStepSimDepth()));
+    }
+
+    /** Whether {@link #write} writes an input; it leaves out sensors that are not directional, except the bias. */
+    boolean writes(int input) {
+        return input <= junctionsInput || input == optionsInput;
     }
 
     /** Hyperbolic tangents of a sensor's values. */

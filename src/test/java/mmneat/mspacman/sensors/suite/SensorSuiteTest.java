@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import mmneat.mspacman.sensors.Observation;
 import mmneat.mspacman.sensors.Sensor;
 import mmneat.mspacman.sensors.SensorGroup;
@@ -120,6 +121,34 @@ class SensorSuiteTest {
             double[] expected = Arrays.stream(inputs).map(StrictMath::tanh).toArray();
             assertThat(Arrays.copyOfRange(senses.activations(), left * size, (left + 1) * size))
                     .containsExactly(expected);
+        }
+    }
+
+    /** Each group of sensors is sensed in both ways, whatever other groups there are. */
+    @Test
+    void activations_areTheTangentsOfTheInputs_withEveryChoiceOfGroups() {
+        SensorGroup[] groups = SensorGroup.values();
+        Game game = new Game(0, GameRules.blended());
+        int left = MOVE.LEFT.ordinal();
+        for (int choice = 0; choice < 1 << groups.length; choice++) {
+            Set<SensorGroup> chosen = EnumSet.noneOf(SensorGroup.class);
+            for (SensorGroup group : groups) {
+                if ((choice >> group.ordinal() & 1) != 0) {
+                    chosen.add(group);
+                }
+            }
+            SensorSuite suite = SensorSuite.of(new SensorSettings(chosen, 1, 30, 200, 10, List.of()));
+            NetworkInputs senses = suite.newInputs();
+            senses.observe(game);
+            senses.sense(left);
+            double[] activations =
+                    Arrays.copyOfRange(senses.activations(), left * suite.size(), (left + 1) * suite.size());
+
+            assertThat(activations)
+                    .as("groups %s", chosen)
+                    .containsExactly(Arrays.stream(senses.inputs(left))
+                            .map(StrictMath::tanh)
+                            .toArray());
         }
     }
 
