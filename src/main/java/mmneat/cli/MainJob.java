@@ -15,6 +15,7 @@ import mmneat.analysis.evaluation.Champion;
 import mmneat.cli.output.LearningCurve;
 import mmneat.cli.output.Progress;
 import mmneat.cli.output.ResultTable;
+import mmneat.experiment.parameters.NamedCode;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.PublishedTask;
@@ -125,11 +126,12 @@ final class MainJob implements Callable<Integer> {
         }
     }
 
-    /** A command about a champion, with the jar of the user's own classes if the runs have one. */
+    /** A command about a champion that allows the user's own classes if the runs have some. */
     private static String withJar(ExperimentPlan plan, String... words) {
         List<String> all = new ArrayList<>(List.of(words));
         String jar = plan.parameters().text("jar");
-        if (!jar.isEmpty()) {
+        boolean isGame = PublishedTask.version(plan.parameters()).isPresent();
+        if (!jar.isEmpty() || NamedCode.isOnClassPath(plan.parameters(), isGame)) {
             all.add("jar=" + jar);
         }
         return ShellCommand.command(all.toArray(String[]::new));

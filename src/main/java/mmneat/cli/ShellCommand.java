@@ -7,12 +7,15 @@ import mmneat.experiment.cluster.ShellWord;
 
 /**
  * Command lines of this program in messages, which the user can copy into a shell. They start like the user's command:
- * with the script or with java.
+ * with the script or with java. The word CLASSPATH stands for a class path that is too long to be read.
  */
 final class ShellCommand {
 
     /** System property that the script sets to its own name when it calls the jar. */
     private static final String SCRIPT = "mmneat.command";
+
+    /** Longest class path that is printed; those of build tools have thousands of letters. */
+    private static final int LONGEST_CLASS_PATH = 200;
 
     private ShellCommand() {}
 
@@ -34,7 +37,8 @@ final class ShellCommand {
         } else if (classPath.endsWith(".jar") && !classPath.contains(File.pathSeparator)) {
             line.addAll(List.of("java", "-jar", classPath));
         } else {
-            line.addAll(List.of("java", "-cp", classPath, Main.class.getName()));
+            String shown = classPath.length() > LONGEST_CLASS_PATH ? "CLASSPATH" : classPath;
+            line.addAll(List.of("java", "-cp", shown, Main.class.getName()));
         }
         line.addAll(words);
         return ShellWord.line(line);

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import mmneat.CompiledClasses;
 import mmneat.analysis.evaluation.ShippedChampions;
+import mmneat.mspacman.modules.ModuleDivision;
+import mmneat.mspacman.sensors.Observation;
 import mmneat.neat.ActivationFunction;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeJson;
@@ -159,6 +161,40 @@ class CodeOfFoldersTest extends CommandTest {
         assertThat(trace).exists();
         // The champion was evolved without this sensor.
         assertThat(errors.toString()).contains("the network has 30 inputs").doesNotContain("code");
+    }
+
+    /** The division of a test is on the class path, as in a project that uses the libraries. */
+    @Test
+    void emptyJar_allowsClassesOnTheClassPath() throws IOException {
+        String[] evolution = {
+            "task=blended",
+            "method=MT2",
+            "pacmanMultitaskScheme=" + NoPowerPills.class.getName(),
+            "base=" + base.resolve("own"),
+            "mu=4",
+            "maxGens=1",
+            "trials=1"
+        };
+        assertThat(execute(evolution)).isZero();
+        String run = base.resolve("own/MT20").toString();
+        assertThat(out.toString()).contains(" watch " + run + " jar=\n", " network " + run + "/champion.json jar=\n");
+
+        assertMistake("(jar= if it is on the class path)", "evaluate", run, "games=1");
+        assertThat(execute("evaluate", run, "games=1", "jar=")).isZero();
+        assertThat(execute("network", run, "out=-", "jar=")).isZero();
+    }
+
+    /** A division on the class path of the tests. */
+    public static final class NoPowerPills implements ModuleDivision {
+        @Override
+        public int modules() {
+            return 2;
+        }
+
+        @Override
+        public int module(Observation observation) {
+            return observation.powerPillsLeft() > 0 ? 0 : 1;
+        }
     }
 
     @Test

@@ -3,6 +3,7 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.File;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -25,6 +26,13 @@ class ShellCommandTest {
         String classPath = "mmneat.jar" + File.pathSeparator + "my.jar";
         assertThat(ShellCommand.line("", classPath, List.of("task=blended", "ownSensors=my.NearExit")))
                 .isEqualTo("java -cp " + classPath + " mmneat.cli.Main task=blended ownSensors=my.NearExit");
+    }
+
+    @Test
+    void calledWithTheClassPathOfABuildTool_aWordStandsForIt() {
+        String classPath = String.join(File.pathSeparator, Collections.nCopies(40, "repository/library.jar"));
+        assertThat(ShellCommand.line("", classPath, List.of("status")))
+                .isEqualTo("java -cp CLASSPATH mmneat.cli.Main status");
     }
 
     @Test

@@ -50,7 +50,8 @@ public final class OptionValues {
         };
     }
 
-    private static Path path(String text) {
+    /** @throws TypeConversionException if the text is blank or cannot be a file name */
+    static Path path(String text) {
         if (text.isBlank()) {
             throw new TypeConversionException("no name");
         }

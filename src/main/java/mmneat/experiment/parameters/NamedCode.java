@@ -1,7 +1,9 @@
 package mmneat.experiment.parameters;
 
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import mmneat.experiment.UserError;
 
 /**
@@ -13,7 +15,7 @@ import mmneat.experiment.UserError;
  * empty value. Second, no jar is named at all, so that the class can only be on the class path, and the command line
  * itself gives the parameter that names the class.
  */
-final class NamedCode {
+public final class NamedCode {
 
     private final Parameters parameters;
     private final Map<String, String> commandLine;
@@ -32,33 +34,51 @@ final class NamedCode {
      * @throws UserError naming the parameter that asks for code, and how to allow it
      */
     void requireAllowed(boolean isGame, boolean forGames) {
-        if (!isGame) {
-            requireAllowed("task", parameters.text("task"));
-        } else {
-            requireAllowed("ownSensors", parameters.text("ownSensors"));
-            requireAllowed("objectives", ownObjectives());
-            requireAllowed("ghostTeam", ownChoice("ghostTeam"));
-            if (parameters.integer("multitaskModes") > 1) {
-                requireAllowed("pacmanMultitaskScheme", ownChoice("pacmanMultitaskScheme"));
-            }
-        }
+        ofGames(parameters, isGame).forEach(this::requireAllowed);
         if (!forGames) {
             // A network that plays brings the name of its activation function along: OwnActivation.requireBound.
             requireAllowed("activation", parameters.text("activation"));
             requireAllowed("mutations", parameters.text("mutations"));
-            requireAllowed("crossover", ownChoice("crossover"));
+            requireAllowed("crossover", ownChoice(parameters, "crossover"));
             requireAllowed("selection", parameters.text("selection"));
         }
     }
 
+    /**
+     * Whether the networks of a run play only with classes of the user's own that no jar holds, but the class path.
+     *
+     * @param isGame whether the task is Ms. Pac-Man, not a task of the user's own
+     */
+    public static boolean isOnClassPath(Parameters parameters, boolean isGame) {
+        return parameters.text("jar").isEmpty()
+                && Stream.concat(
+                                ofGames(parameters, isGame).values().stream(), Stream.of(parameters.text("activation")))
+                        .anyMatch(names -> !names.isBlank());
+    }
+
+    /** The parameters that name classes which a network needs to play, with the names of the user's own classes. */
+    private static Map<String, String> ofGames(Parameters parameters, boolean isGame) {
+        if (!isGame) {
+            return Map.of("task", parameters.text("task"));
+        }
+        Map<String, String> named = new LinkedHashMap<>();
+        named.put("ownSensors", parameters.text("ownSensors"));
+        named.put("objectives", ownObjectives(parameters));
+        named.put("ghostTeam", ownChoice(parameters, "ghostTeam"));
+        if (parameters.integer("multitaskModes") > 1) {
+            named.put("pacmanMultitaskScheme", ownChoice(parameters, "pacmanMultitaskScheme"));
+        }
+        return named;
+    }
+
     /** The value if it is the name of a class of the user's own, else nothing. */
-    private String ownChoice(String name) {
+    private static String ownChoice(Parameters parameters, String name) {
         String value = parameters.text(name);
         Parameter parameter = parameters.catalogue().require(name);
         return parameter.choices().contains(value) ? "" : value;
     }
 
-    private String ownObjectives() {
+    private static String ownObjectives(Parameters parameters) {
         return OwnClasses.names(parameters.text("objectives")).stream()
                 .filter(name -> !ObjectiveParameter.isRecorded(name))
                 .collect(Collectors.joining(","));
