@@ -36,12 +36,12 @@ final class NetworkPlayer {
     }
 
     /**
-     * Whether a name is a folder. A name without a slash may also be a class whose package is a folder in the working
-     * folder.
+     * Whether a name means a folder, which need not exist. A name without a slash may also be a class whose package is
+     * a folder in the working folder.
      */
     private static boolean isFolder(String name) {
         Path folder = Path.of(name);
-        return Files.isDirectory(folder) && (folder.getNameCount() > 1 || Champion.isIn(folder));
+        return folder.getNameCount() > 1 || Files.isDirectory(folder) && Champion.isIn(folder);
     }
 
     private static Champion champion(String name) {

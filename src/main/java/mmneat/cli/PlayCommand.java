@@ -182,10 +182,13 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
     @Override
     public void run() {
         boolean isHuman = NAMES_OF_THE_HUMAN.contains(pacMan);
-        boolean isShown = isShown();
-        if (isHuman && !isShown) {
-            throw new UserError("pacman=" + pacMan + " needs view=true and a display");
+        if (isHuman && !view) {
+            throw new UserError("pacman=" + pacMan + " needs view=true, which shows the game");
         }
+        if (isHuman && !Display.isThere()) {
+            throw new UserError("pacman=" + pacMan + " needs a display, and there is none; use a desktop session");
+        }
+        boolean isShown = isShown();
         requireEffect("division", !isHuman && NetworkPlayer.isNetwork(pacMan), "it is for a network");
         ContestSettings settings = settings(isHuman, isShown);
         requireEffect("moveLimit", settings.timing() == Timing.NONE, "a timed game does not wait for an answer");

@@ -37,7 +37,7 @@ public final class FileErrors {
         }
         if (e.getClass() == IOException.class && e.getMessage() != null) {
             // The operating system's message, such as "No space left on device".
-            return e.getMessage();
+            return e.getMessage().equals("Is a directory") ? "it is a folder; name a file in it" : e.getMessage();
         }
         return e.getClass().getSimpleName() + ": " + e.getMessage();
     }

@@ -176,6 +176,15 @@ class CompareCommandTest extends CommandTest {
     }
 
     @Test
+    void fileInsteadOfAFolder_isToldAsAFile() throws IOException {
+        Path file = Files.createFile(base.resolve("file"));
+        assertMistake(file + ": is a file; give the folder of an experiment", "compare", file.toString());
+        assertMistake(file + ": is a file; give the folder of an experiment", "report", file.toString());
+        Path below = file.resolve("runs");
+        assertMistake("base=" + below + ": " + file + " is a file; name a folder", "task=blended", "base=" + below);
+    }
+
+    @Test
     void oneExperiment_isDescribed() throws IOException {
         RunFixture.run(base, "blended", "1M", 0, 100, 9000);
         assertThat(execute("compare", base.resolve("blended/1M").toString())).isZero();

@@ -117,6 +117,19 @@ class NetworkCommandTest extends CommandTest {
     }
 
     @Test
+    void folderOfAnExperiment_isAnError_thatNamesARun() throws IOException {
+        for (int number : new int[] {1, 0}) {
+            Path run = RunFixture.run(folder, "blended", "2M", number, 1000);
+            RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);
+        }
+        Path experiment = folder.resolve("blended");
+        assertMistake(
+                "; give the folder of a run, for example " + experiment.resolve("2M0"),
+                "network",
+                experiment.toString());
+    }
+
+    @Test
     void missingName_isAnError() {
         assertThat(execute("network")).isEqualTo(2);
         assertThat(errors.toString()).contains("no network is given");

@@ -181,6 +181,7 @@ class PlayCommandTest extends CommandTest {
         assertMistake(": this is a folder; name a file in it", "play", "record=" + folder);
         assertMistake("'games' has no value; write games=...", "play", "games");
         assertMistake("needs view=true", "play", "pacman=Human");
+        assertMistake("needs a display, and there is none", "play", "pacman=Human", "view=true");
         assertMistake("there is no file or folder", "play", "classpath=none.jar", "pacman=my.Entry");
         assertMistake("write replay FILE", "replay");
         assertMistake("none.txt: cannot be read: there is no such file", "replay", "none.txt");
@@ -210,6 +211,8 @@ class PlayCommandTest extends CommandTest {
         Path alone = Files.copy(network, folder.resolve("alone.json"));
         assertMistake("the network has 39 inputs; networks of the published", "play", "pacman=" + alone);
         assertMistake("there is no champion in this folder", "play", "pacman=" + folder);
+        Path missing = folder.resolve("2M7");
+        assertMistake(missing + ": there is no such file; give a run's folder", "play", "pacman=" + missing);
     }
 
     @Test

@@ -3,6 +3,7 @@ package mmneat.analysis.evaluation;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -70,11 +71,7 @@ public record Champion(
         if (Files.isDirectory(path)) {
             SymbolicLinks.refuseIn(path);
         }
-        Path file = Files.isDirectory(path)
-                ? RunLayout.championIn(path)
-                        .orElseThrow(() -> new UserError(path + ": there is no champion in this folder ("
-                                + RunLayout.CHAMPION + " or " + RunLayout.ORIGINAL_CHAMPION + ")"))
-                : path;
+        Path file = Files.isDirectory(path) ? RunLayout.championIn(path).orElseThrow(() -> noChampion(path)) : path;
         if (!Files.exists(file)) {
             throw new UserError(file + ": there is no such file; give a run's folder or the file of a network");
         }
@@ -87,6 +84,19 @@ public record Champion(
         } catch (IOException e) {
             throw FileErrors.unreadable(file, e);
         }
+    }
+
+    /** The error for a folder without a champion; it names a run if the folder is that of an experiment. */
+    private static UserError noChampion(Path folder) {
+        Optional<Path> run;
+        try (Stream<Path> folders = Files.list(folder)) {
+            run = folders.filter(Files::isDirectory).filter(Champion::isIn).min(Comparator.naturalOrder());
+        } catch (IOException e) {
+            throw FileErrors.unreadable(folder, e);
+        }
+        return new UserError(folder + ": there is no champion in this folder (" + RunLayout.CHAMPION + " or "
+                + RunLayout.ORIGINAL_CHAMPION + "); give the folder of a run"
+                + run.map(path -> ", for example " + path).orElse(" or the file of a network"));
     }
 
     /**

@@ -39,9 +39,7 @@ public final class ExperimentFinder {
             Map<Path, List<RunResult>> found = group(runFolders(path));
             if (found.isEmpty()) {
                 throw new UserError(path
-                        + (Files.isDirectory(path)
-                                ? ": no finished run is found there"
-                                : ": there is no such folder, and no finished run whose folder's name begins so")
+                        + reason(path)
                         + "; give the folder of an experiment, for example results/blended or results/blended/2M");
             }
             // The same run may be meant twice, for instance by results/blended/2M and results/blended/2M0.
@@ -50,6 +48,15 @@ public final class ExperimentFinder {
         List<Experiment> experiments = new ArrayList<>();
         groups.forEach((stem, runs) -> experiments.add(experiment(stem, runs)));
         return withLabels(experiments, List.copyOf(groups.keySet()));
+    }
+
+    private static String reason(Path path) {
+        if (Files.isDirectory(path)) {
+            return ": no finished run is found there";
+        }
+        return Files.exists(path)
+                ? ": is a file"
+                : ": there is no such folder, and no finished run whose folder's name begins so";
     }
 
     private static List<RunResult> union(List<RunResult> some, List<RunResult> others) {

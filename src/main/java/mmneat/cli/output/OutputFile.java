@@ -36,12 +36,22 @@ public final class OutputFile {
      * @param word the option with this folder, for messages
      */
     public static void requireFolder(String word, Path folder) {
+        requireNoFile(word, folder);
+        Path place = existing(folder.toAbsolutePath());
+        if (place != null && !Files.isWritable(place)) {
+            throw new UserError(word + "=" + folder + ": cannot be written; name another place");
+        }
+    }
+
+    /**
+     * Checks that neither a folder nor one above it is a file. It may be missing or read only.
+     *
+     * @param word the option with this folder, for messages
+     */
+    public static void requireNoFile(String word, Path folder) {
         Path place = existing(folder.toAbsolutePath());
         if (place != null && !Files.isDirectory(place)) {
             throw new UserError(word + "=" + folder + ": " + place + " is a file; name a folder");
-        }
-        if (place != null && !Files.isWritable(place)) {
-            throw new UserError(word + "=" + folder + ": cannot be written; name another place");
         }
     }
 

@@ -22,6 +22,9 @@ public final class PropertiesFile {
     /** The first separator or, if there is none, the first blank. */
     private static final Pattern END_OF_NAME = Pattern.compile("[=:]|[ \t](?=[^=:]*$)");
 
+    /** The names of parameters, for messages; other names are refused by those that know all of them. */
+    private static final Pattern NAME = Pattern.compile("[\\w.]+");
+
     private PropertiesFile() {}
 
     /**
@@ -57,7 +60,11 @@ public final class PropertiesFile {
             String name = PlainText.trimmed(line.substring(0, sign));
             String value = line.substring(Math.min(line.length(), sign + 1));
             if (values.put(name, PlainText.trimmed(value)) != null) {
-                throw new UserError("'" + name + "' is given twice; give it once");
+                throw new UserError(
+                        NAME.matcher(name).matches()
+                                ? "'" + name + "' is given twice; give it once"
+                                : "is not a file of parameters, one name=value per line: a line begins with '" + name
+                                        + "'");
             }
         }
         return values;

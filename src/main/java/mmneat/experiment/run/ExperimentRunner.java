@@ -83,7 +83,10 @@ public final class ExperimentRunner {
         try {
             DurableFiles.makeFolder(base);
         } catch (IOException e) {
-            throw new UserError(base + ": cannot be created: " + FileErrors.sentence(e), e);
+            throw new UserError(
+                    base + ": cannot be created: " + FileErrors.sentence(e)
+                            + "; choose another folder with base=FOLDER",
+                    e);
         }
         boolean isNew = plan.runs().stream().anyMatch(run -> !Files.exists(run.directory()));
         if (isNew && !Files.isWritable(base)) {

@@ -271,6 +271,13 @@ class ParameterReaderTest {
     }
 
     @Test
+    void otherFileOrFolder_isNotAFileOfParameters(@TempDir Path folder) throws IOException {
+        Path page = Files.writeString(folder.resolve("page.md"), "* one\n* two\n");
+        assertMistake("page.md: is not a file of parameters, one name=value per line", "config=" + page);
+        assertMistake(": cannot be read: it is a folder; name a file in it", "config=" + folder);
+    }
+
+    @Test
     void ghostLocations_ofAnotherTaskThanTheIsolated_areRemarkedUpon() {
         List<String> words = List.of("task=blended", "mazePowerPillGhostMapping=mine.txt");
         assertThat(reader.read(words).remarks())
