@@ -127,13 +127,44 @@ class CitationTest {
         for (Path file : files("src", ".java")) {
             classes.add(file.getFileName().toString().replace(".java", ""));
         }
-        List<String> named = Pattern.compile("`([A-Z]\\w+)`")
-                .matcher(recipes)
-                .results()
-                .map(name -> name.group(1))
-                .toList();
+        List<String> named = names("`([A-Z]\\w+[a-z])`", recipes);
+        named.remove("ModeSelector"); // the end of names in the original
+        named.remove("Everyday"); // a group of parameters
         assertThat(named).hasSizeGreaterThan(20);
         assertThat(classes).containsAll(named);
+        String architecture = Files.readString(PROJECT.resolve("docs/architecture.md"));
+        assertThat(classes).containsAll(names("`([A-Z][a-z]\\w+)`", architecture));
+    }
+
+    /** Full names of classes, and names of packages in backticks. */
+    @Test
+    void fullNamesInDocuments_areClassesAndPackages() throws IOException {
+        Set<String> known = new HashSet<>();
+        for (Path file : files("src", ".java")) {
+            String folders = PROJECT.relativize(file).toString().replace('\\', '/');
+            String name = folders.replaceAll(".*?/java/|\\.java$", "").replace('/', '.');
+            for (String part = name; part.contains("."); part = part.substring(0, part.lastIndexOf('.'))) {
+                known.add(part);
+            }
+        }
+        // A module, and the jar of the program.
+        known.addAll(Set.of("mmneat.simulator", "mmneat.jar"));
+        List<String> named = new ArrayList<>();
+        for (Path file : files("", ".md")) {
+            named.addAll(
+                    names("(?<![\\w./-])((?:mmneat|pacman)(?:\\.[a-z]\\w*)*\\.[A-Z]\\w+)", Files.readString(file)));
+            named.addAll(names("`((?:mmneat|pacman)(?:\\.[a-z]\\w*)+)`", Files.readString(file)));
+        }
+        assertThat(named).hasSizeGreaterThan(50);
+        assertThat(known).containsAll(named);
+    }
+
+    private static List<String> names(String pattern, String text) {
+        return new ArrayList<>(Pattern.compile(pattern)
+                .matcher(text)
+                .results()
+                .map(name -> name.group(1))
+                .toList());
     }
 
     private static int check(Path file, String text, List<String> broken) throws IOException {

@@ -16,6 +16,7 @@ import mmneat.mspacman.GameSettings;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
+import mmneat.mspacman.modules.ModuleDivisions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,6 +53,22 @@ class ParameterReaderTest {
                                 "crossover=" + getClass().getName()))
                         .remarks())
                 .containsExactly("crossover has no effect without mating=true");
+    }
+
+    @Test
+    void builtInDivisions_areTheAllowedValuesOfTheirParameter() {
+        List<String> allowed =
+                ParameterCatalogue.load().require("pacmanMultitaskScheme").choices();
+        assertThatThrownBy(() -> ModuleDivisions.named("none"))
+                .hasMessageEndingWith(" nor one of " + String.join(", ", allowed));
+    }
+
+    @Test
+    void builtInGhostTeams_canBeMade() {
+        for (String team : ParameterCatalogue.load().require("ghostTeam").choices()) {
+            assertThat(Tasks.factory(read("task=blended", "ghostTeam=" + team)).get())
+                    .isInstanceOf(MsPacManTask.class);
+        }
     }
 
     /** Only classes of the original and those that are shipped lose their package. */
