@@ -13,7 +13,6 @@ import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.cli.output.LearningCurve;
-import mmneat.cli.output.OutputFile;
 import mmneat.cli.output.Progress;
 import mmneat.cli.output.ResultTable;
 import mmneat.experiment.parameters.NamedCode;
@@ -61,7 +60,6 @@ final class MainJob implements Callable<Integer> {
         ParameterReader.Result read = new ParameterReader(ParameterCatalogue.load()).read(words);
         read.remarks().forEach(remark -> errors.println("mmneat: " + remark));
         ExperimentPlan plan = ExperimentPlan.of(read.parameters());
-        OutputFile.requireNoFile("base", plan.base());
         ExperimentRunner experiment = new ExperimentRunner(plan);
         boolean quiet = read.parameters().flag("quiet");
 

@@ -181,7 +181,10 @@ class CompareCommandTest extends CommandTest {
         assertMistake(file + ": is a file; give the folder of an experiment", "compare", file.toString());
         assertMistake(file + ": is a file; give the folder of an experiment", "report", file.toString());
         Path below = file.resolve("runs");
-        assertMistake("base=" + below + ": " + file + " is a file; name a folder", "task=blended", "base=" + below);
+        String mistake = "base=" + below + ": " + file + " is a file; name a folder";
+        assertMistake(mistake, "task=blended", "base=" + below);
+        assertMistake(mistake, "process", "task=blended", "base=" + below);
+        assertMistake(mistake, "submit", "task=blended", "base=" + below, "engine=parallel");
     }
 
     @Test

@@ -5,9 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.FolderPlace;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DurableFiles;
-import org.jspecify.annotations.Nullable;
 
 /** Writes files that the user named. */
 public final class OutputFile {
@@ -23,7 +23,7 @@ public final class OutputFile {
         if (Files.isDirectory(file)) {
             throw new UserError(word + "=" + file + ": this is a folder; name a file in it");
         }
-        Path place = existing(file.toAbsolutePath().getParent());
+        Path place = FolderPlace.existing(file.toAbsolutePath().getParent());
         if (place != null && !(Files.isDirectory(place) && Files.isWritable(place))
                 || Files.exists(file) && !Files.isWritable(file)) {
             throw new UserError(word + "=" + file + ": cannot be written; name another place");
@@ -36,32 +36,11 @@ public final class OutputFile {
      * @param word the option with this folder, for messages
      */
     public static void requireFolder(String word, Path folder) {
-        requireNoFile(word, folder);
-        Path place = existing(folder.toAbsolutePath());
+        FolderPlace.requireNoFile(word, folder);
+        Path place = FolderPlace.existing(folder.toAbsolutePath());
         if (place != null && !Files.isWritable(place)) {
             throw new UserError(word + "=" + folder + ": cannot be written; name another place");
         }
-    }
-
-    /**
-     * Checks that neither a folder nor one above it is a file. It may be missing or read only.
-     *
-     * @param word the option with this folder, for messages
-     */
-    public static void requireNoFile(String word, Path folder) {
-        Path place = existing(folder.toAbsolutePath());
-        if (place != null && !Files.isDirectory(place)) {
-            throw new UserError(word + "=" + folder + ": " + place + " is a file; name a folder");
-        }
-    }
-
-    /** The path, or the nearest folder above it that exists; null if there is none. */
-    private static @Nullable Path existing(@Nullable Path path) {
-        Path place = path;
-        while (place != null && !Files.exists(place)) {
-            place = place.getParent();
-        }
-        return place;
     }
 
     /** Writes a text, and makes missing folders. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import mmneat.experiment.FolderPlace;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.Parameters;
 import mmneat.experiment.parameters.PublishedTask;
@@ -34,7 +35,7 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
     /**
      * Returns the plan that the parameters describe.
      *
-     * @throws UserError if they contradict each other
+     * @throws UserError if they contradict each other, or the folder of the runs is a file
      */
     public static ExperimentPlan of(Parameters parameters) {
         List<Integer> numbers = numbers(parameters);
@@ -48,6 +49,7 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
                 .orElseGet(() -> simpleName(parameters.text("task")));
         String method = methodLabel(parameters);
         String base = parameters.isGiven("base") ? parameters.text("base") : "results/" + task;
+        FolderPlace.requireNoFile("base", Path.of(base));
         String saveTo = parameters.isGiven("saveTo") ? parameters.text("saveTo") : method;
         // Experiments that differ in the names of their runs must not share the files of all runs.
         String label = parameters.isGiven("saveTo") ? label(saveTo) : method;

@@ -1,0 +1,33 @@
+package mmneat.experiment;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+
+/** The place in the file system at which a folder is or will be made. */
+public final class FolderPlace {
+
+    private FolderPlace() {}
+
+    /**
+     * Checks that neither a folder nor one above it is a file. It may be missing or read only.
+     *
+     * @param word the option or parameter with this folder, for messages
+     * @throws UserError if one of them is a file
+     */
+    public static void requireNoFile(String word, Path folder) {
+        Path place = existing(folder.toAbsolutePath());
+        if (place != null && !Files.isDirectory(place)) {
+            throw new UserError(word + "=" + folder + ": " + place + " is a file; name a folder");
+        }
+    }
+
+    /** The path, or the nearest folder above it that exists; null if there is none. */
+    public static @Nullable Path existing(@Nullable Path path) {
+        Path place = path;
+        while (place != null && !Files.exists(place)) {
+            place = place.getParent();
+        }
+        return place;
+    }
+}
