@@ -41,7 +41,9 @@ final class NetworkPlayer {
      */
     private static boolean isFolder(String name) {
         Path folder = Path.of(name);
-        return folder.getNameCount() > 1 || Files.isDirectory(folder) && Champion.isIn(folder);
+        return folder.getNameCount() > 1
+                || Files.isDirectory(folder)
+                        && (Champion.isIn(folder) || Champion.runIn(folder).isPresent());
     }
 
     private static Champion champion(String name) {

@@ -2,6 +2,9 @@ package mmneat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import mmneat.cli.options.Range;
@@ -36,6 +39,35 @@ class OptionsTest extends CommandTest {
         return List.of("submit", "process").contains(command);
     }
 
+    @Test
+    void everyCommandClass_isACommandOfMain_andOnAPage() throws IOException {
+        List<String> sources = names(Path.of("src/main/java/mmneat/cli"), "Command.java");
+        assertThat(sources).hasSizeGreaterThan(10);
+        List<String> registered = Main.commandLine().getSubcommands().values().stream()
+                .map(command -> command.getCommand().getClass().getSimpleName() + ".java")
+                .toList();
+        assertThat(registered)
+                .containsAll(sources.stream()
+                        .filter(source -> !source.startsWith("Console") && !source.startsWith("Shell"))
+                        .toList());
+
+        StringBuilder pages = new StringBuilder(Files.readString(Path.of("README.md")));
+        for (String page : names(Path.of("docs"), ".md")) {
+            pages.append(Files.readString(Path.of("docs", page)));
+        }
+        for (String command : Main.commandLine().getSubcommands().keySet()) {
+            assertThat(pages).containsPattern("(mmneat|mmneat\\.jar|`)\\s?" + command + "\\b");
+        }
+    }
+
+    private static List<String> names(Path folder, String ending) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.endsWith(ending))
+                    .toList();
+        }
+    }
+
     @ParameterizedTest(name = "{0} {1}")
     @MethodSource("options")
     void help_listsTheOption_andItsDefaultOnce(String command, String name, OptionSpec option) {
@@ -52,13 +84,13 @@ class OptionsTest extends CommandTest {
     @MethodSource("options")
     void valueOfAnotherType_isRefused_inBothForms(String command, String name, OptionSpec option) {
         boolean acceptsText = option.type() == String.class && option.completionCandidates() == null;
-        String value = acceptsText || option.type() == java.nio.file.Path.class ? null : "no-such-value";
+        String value = acceptsText || option.type() == Path.class ? null : "no-such-value";
         if (value != null) {
             assertMistake(name + "=" + value + ": must be ", command, name + "=" + value);
             assertMistake(name + "=" + value + ": must be ", command, name + ":" + value);
         }
         // jar= stands for the class path.
-        if (option.type() == java.nio.file.Path.class && !name.equals("jar")) {
+        if (option.type() == Path.class && !name.equals("jar")) {
             assertMistake(name + "=: must be the name of a file or folder", command, name + "=");
         }
     }

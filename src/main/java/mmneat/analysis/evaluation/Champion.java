@@ -88,15 +88,22 @@ public record Champion(
 
     /** The error for a folder without a champion; it names a run if the folder is that of an experiment. */
     private static UserError noChampion(Path folder) {
-        Optional<Path> run;
-        try (Stream<Path> folders = Files.list(folder)) {
-            run = folders.filter(Files::isDirectory).filter(Champion::isIn).min(Comparator.naturalOrder());
-        } catch (IOException e) {
-            throw FileErrors.unreadable(folder, e);
-        }
         return new UserError(folder + ": there is no champion in this folder (" + RunLayout.CHAMPION + " or "
                 + RunLayout.ORIGINAL_CHAMPION + "); give the folder of a run"
-                + run.map(path -> ", for example " + path).orElse(" or the file of a network"));
+                + runIn(folder).map(path -> ", for example " + path).orElse(" or the file of a network"));
+    }
+
+    /**
+     * Returns the first folder of a run with a champion in the folder of an experiment; empty if there is none.
+     *
+     * @throws UserError if the folder cannot be read
+     */
+    public static Optional<Path> runIn(Path experiment) {
+        try (Stream<Path> folders = Files.list(experiment)) {
+            return folders.filter(Files::isDirectory).filter(Champion::isIn).min(Comparator.naturalOrder());
+        } catch (IOException e) {
+            throw FileErrors.unreadable(experiment, e);
+        }
     }
 
     /**
