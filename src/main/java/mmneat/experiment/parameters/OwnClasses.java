@@ -1,6 +1,7 @@
 package mmneat.experiment.parameters;
 
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Modifier;
 import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -124,17 +125,24 @@ final class OwnClasses {
         return answer;
     }
 
+    /** @param asked the parameter and the class, for the message */
+    static void requirePublic(String asked, Class<?> type) {
+        if (!Modifier.isPublic(type.getModifiers())) {
+            throw new UserError(asked + ": the class must be public");
+        }
+    }
+
     /** Creates an object of such a class by its public constructor without arguments. */
     <T> T make(String parameter, String className, Class<T> type) {
         String asked = parameter + "=" + className;
+        Class<? extends T> found = find(parameter, className, type);
+        requirePublic(asked, found);
         try {
-            return find(parameter, className, type).getConstructor().newInstance();
+            return found.getConstructor().newInstance();
         } catch (InvocationTargetException e) {
             throw new UserError(asked + ": cannot be created: " + e.getCause(), e);
         } catch (LinkageError e) {
             throw new UserError(asked + ": cannot be created: " + (e.getCause() == null ? e : e.getCause()), e);
-        } catch (IllegalAccessException e) {
-            throw new UserError(asked + ": the class must be public", e);
         } catch (InstantiationException e) {
             throw new UserError(asked + ": the class must not be abstract", e);
         } catch (ReflectiveOperationException e) {

@@ -76,6 +76,7 @@ public final class OwnTask {
 
     private static Task instance(Class<? extends Task> type, Map<String, String> parameters) {
         String name = "task=" + type.getName();
+        OwnClasses.requirePublic(name, type);
         try {
             for (Constructor<?> constructor : type.getConstructors()) {
                 if (constructor.getParameterCount() == 1 && constructor.getParameterTypes()[0] == Map.class) {

@@ -65,7 +65,7 @@ public final class PublishedTask {
             }
         } else if (version.isEmpty() && !task.contains(".") && !parameters.isGiven("jar")) {
             throw new UserError("task=" + task + ": must be one of " + String.join(", ", published)
-                    + ", or the full name of a class of your own" + NearestName.suggestion(task, published));
+                    + ", or the name of a class of your own, in jar=FILE" + NearestName.suggestion(task, published));
         }
         return version;
     }

@@ -41,6 +41,9 @@ class OwnClassesTest {
         }
     }
 
+    /** A sensor of a class that is not public. */
+    static final class Hidden extends Always {}
+
     private static List<String> labels(String... words) {
         MsPacManTask task = (MsPacManTask) Tasks.factory(new ParameterReader(ParameterCatalogue.load())
                         .read(List.of(words))
@@ -93,6 +96,13 @@ class OwnClassesTest {
                         + ": cannot be created: java.lang.IllegalStateException: no day for sensing",
                 "task=blended",
                 "ownSensors=" + Broken.class.getName());
+        assertMistake(
+                "ownSensors=" + Hidden.class.getName() + ": the class must be public",
+                "task=blended",
+                "ownSensors=" + Hidden.class.getName());
+        assertMistake(
+                "task=Nim: must be one of blended, interleaved, isolated, or the name of a class of your own, in jar=FILE",
+                "task=Nim");
         assertMistake(
                 "jar=none.jar: the file is missing or not readable",
                 "task=blended",
