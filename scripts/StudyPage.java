@@ -190,7 +190,7 @@ public final class StudyPage {
         if (rows.isEmpty()) {
             return;
         }
-        text.append("\nThe best champion under the rules of other games (`evaluate rules=FourMaze` and"
+        text.append("\nChampions under the rules of other games (`evaluate rules=FourMaze` and"
                 + " `rules=MPMvsG`: three lives\nand an extra one):\n\n");
         row("champion", "rules", "games", "mean score", "95 % interval");
         row(Arrays.copyOf(DASHES, 5));
