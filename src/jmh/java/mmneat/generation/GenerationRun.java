@@ -18,7 +18,7 @@ import java.util.regex.Pattern;
  */
 final class GenerationRun {
 
-    private static final long POLL_MILLISECONDS = 2;
+    private static final long POLL_MILLISECONDS = 20;
     private static final Pattern RATE = Pattern.compile("\"stepsPerSecond\" : ([\\d.E]+)");
     private static final Pattern PACE = Pattern.compile("\"secondsPerGeneration\" : ([\\d.E]+)");
 
