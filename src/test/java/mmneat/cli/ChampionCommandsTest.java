@@ -53,7 +53,7 @@ class ChampionCommandsTest extends CommandTest {
         assertThat(execute("play", "pacman=champion:blended", "rules=blended")).isZero();
         assertThat(out.toString()).startsWith("champion:blended against Legacy, 1 game");
         assertMistakeAtWork(
-                "pacman=champion:x: must be champion: and one of blended, interleaved, isolated, blended-2M5",
+                "pacman=champion:x: must be champion: and one of blended, interleaved, isolated, blended-2M2",
                 "play",
                 "pacman=champion:x");
     }
@@ -61,11 +61,11 @@ class ChampionCommandsTest extends CommandTest {
     @Test
     void bestChampionOfTheStudy_isShippedAsTheStudyHasIt() throws IOException {
         Path written = folder.resolve("champion.json");
-        assertThat(execute("network", "champion=blended-2M5", "format=json", "out=" + written))
+        assertThat(execute("network", "champion=blended-2M2", "format=json", "out=" + written))
                 .isZero();
         assertThat(GenotypeJson.read(Files.readString(written)))
-                .isEqualTo(GenotypeJson.read(Files.readString(Path.of("docs/study/blended/2M5/champion.json"))));
-        assertThat(execute("play", "pacman=champion:blended-2M5", "rules=blended"))
+                .isEqualTo(GenotypeJson.read(Files.readString(Path.of("docs/study/blended/2M2/champion.json"))));
+        assertThat(execute("play", "pacman=champion:blended-2M2", "rules=blended"))
                 .isZero();
     }
 
@@ -73,7 +73,7 @@ class ChampionCommandsTest extends CommandTest {
     void unknownOrAmbiguousChampion_isAnError() {
         assertMistakeAtWork("no network is given", "watch");
         assertMistakeAtWork(
-                "champion=x: must be one of blended, interleaved, isolated, blended-2M5", "watch", "champion=x");
+                "champion=x: must be one of blended, interleaved, isolated, blended-2M2", "watch", "champion=x");
         assertMistakeAtWork("both a file and champion= are given", "watch", "champion.json", "champion=blended");
     }
 
