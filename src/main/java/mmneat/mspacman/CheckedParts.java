@@ -34,17 +34,24 @@ public final class CheckedParts {
         return new CheckedObjective(objective, OwnPart.of("objective", objective));
     }
 
-    private record CheckedSensor(Sensor sensor, OwnPart part) implements Sensor {
+    /** The checks that graded and other sensors share. */
+    private interface Checked extends Sensor {
+        Sensor sensor();
+
+        OwnPart part();
 
         @Override
-        public String label() {
-            return part.call(sensor::label);
+        default String label() {
+            return part().call(sensor()::label);
         }
 
         @Override
-        public boolean isDirectional() {
-            return part.call(sensor::isDirectional);
+        default boolean isDirectional() {
+            return part().call(sensor()::isDirectional);
         }
+    }
+
+    private record CheckedSensor(Sensor sensor, OwnPart part) implements Checked {
 
         @Override
         public double sense(Observation observation) {
@@ -52,17 +59,7 @@ public final class CheckedParts {
         }
     }
 
-    private record CheckedGradedSensor(GradedSensor sensor, OwnPart part) implements GradedSensor {
-
-        @Override
-        public String label() {
-            return part.call(sensor::label);
-        }
-
-        @Override
-        public boolean isDirectional() {
-            return part.call(sensor::isDirectional);
-        }
+    private record CheckedGradedSensor(GradedSensor sensor, OwnPart part) implements Checked, GradedSensor {
 
         @Override
         public int grades() {
