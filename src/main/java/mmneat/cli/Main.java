@@ -45,7 +45,7 @@ import picocli.CommandLine.Spec;
  *   <caption>Exit codes</caption>
  *   <tr><th>code</th><th>meaning</th></tr>
  *   <tr><td>0</td><td>success; of the main job: all runs are complete</td></tr>
- *   <tr><td>1</td><td>a bug of the program (with a stack trace); of the main job also: a run failed</td></tr>
+ *   <tr><td>1</td><td>a bug of the program or a user's class (stack trace); main job: also a failed run</td></tr>
  *   <tr><td>2</td><td>an error of the user (one line)</td></tr>
  *   <tr><td>3</td><td>main job only: another process holds the lock of a run's folder</td></tr>
  *   <tr><td>4, 5</td><td>command {@code status} only: some runs are not finished; some have failed</td></tr>

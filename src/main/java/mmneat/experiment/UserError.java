@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
  * An error of the user, reported in one line: what is wrong, where, and what to do.
  *
  * <p>The command line prints only the message, without a stack trace, and exits with code 2. Any other exception that
- * reaches it is a bug of the program: it prints a stack trace and exits with code 1.
+ * reaches it is a bug of the program or of a class of the user's own: it prints a stack trace and exits with code 1.
  */
 public final class UserError extends RuntimeException {
 

@@ -58,7 +58,7 @@ public abstract class Controller<T> implements Runnable {
     /**
      * Ends the supervisor of a timed game. As in the competition's framework, a controller that is idle then makes one
      * more decision, on the last game that it received; {@link #getMove(Game, long)} must allow for a game that is
-     * over.
+     * over. A controller that never received a game decides nothing.
      */
     public final void terminate() {
         synchronized (this) {
@@ -123,7 +123,8 @@ public abstract class Controller<T> implements Runnable {
                 if (alive && terminations != before) {
                     return;
                 }
-                if (!busy) {
+                // Nothing to decide on: it was terminated before its first update.
+                if (!busy && game != null) {
                     busy = true;
                     int revival = revivals;
                     Thread worker = new Thread(

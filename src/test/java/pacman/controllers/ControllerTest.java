@@ -154,6 +154,24 @@ class ControllerTest {
     }
 
     @Test
+    void controllerThatIsTerminatedBeforeItsFirstGame_decidesNothing() throws InterruptedException {
+        ThreadGroup group = new ThreadGroup("supervisor and workers");
+        supervisor = new Thread(group, controller, "supervisor");
+        supervisor.start();
+        awaitWaitingSupervisor();
+        controller.terminate();
+        while (group.activeCount() > 0) {
+            Thread.onSpinWait();
+        }
+        assertThat(controller.decisions().failure()).isNull();
+        assertThat(controller.asked).isEmpty();
+        controller.threadRevive();
+        start();
+        controller.update(first, 0);
+        assertThat(nextAsked()).isSameAs(first);
+    }
+
+    @Test
     void terminatedController_decidesNothing_untilItIsRevived() throws InterruptedException {
         controller.terminate();
         start();

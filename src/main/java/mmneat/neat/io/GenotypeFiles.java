@@ -35,7 +35,8 @@ public final class GenotypeFiles {
             if (text.startsWith("<")) {
                 return GenotypeXml.read(text);
             }
-            throw new GenotypeFormatException("is neither a genotype in JSON nor an XML file of the original");
+            throw new GenotypeFormatException("is neither a genotype in JSON nor an XML file of the original; "
+                    + "give a file with a network, such as champion.json in the folder of a run");
         } catch (GenotypeFormatException e) {
             throw new GenotypeFormatException(file + ": " + e.getMessage(), e);
         } catch (CharacterCodingException e) {

@@ -143,7 +143,8 @@ class GenotypeJsonTest {
 
         assertThatThrownBy(() -> GenotypeFiles.read(file))
                 .isInstanceOf(GenotypeFormatException.class)
-                .hasMessage(file + ": is neither a genotype in JSON nor an XML file of the original");
+                .hasMessage(file + ": is neither a genotype in JSON nor an XML file of the original; "
+                        + "give a file with a network, such as champion.json in the folder of a run");
     }
 
     @Test
