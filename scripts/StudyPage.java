@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.function.DoublePredicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import mmneat.analysis.ExperimentComparison;
@@ -37,9 +37,9 @@ public final class StudyPage {
     /** A champion whose most used module decides at least this share of the steps has one main module. */
     private static final double MAIN_MODULE_PERCENT = 90;
 
-    /** The line under the head of a table with up to nine columns. */
+    /** The line under the head of a table with up to eight columns. */
     private static final String[] DASHES =
-            IntStream.range(0, 9).mapToObj(i -> "---").toArray(String[]::new);
+            IntStream.range(0, 8).mapToObj(i -> "---").toArray(String[]::new);
 
     private final StringBuilder text = new StringBuilder();
     private final PublishedResults paper = PublishedResults.read();
@@ -65,6 +65,7 @@ public final class StudyPage {
             String name = version.getFileName().toString();
             text.append("\n## The ").append(name).append(" version\n\n");
             overview(experiments);
+            moduleUse(experiments);
             champions(experiments);
             otherRules(experiments);
             for (ExperimentComparison comparison :
@@ -94,49 +95,72 @@ public final class StudyPage {
                 "median",
                 "quartiles",
                 "the paper's median",
-                "quartiles",
-                "one main module",
-                "in the paper");
-        row(DASHES);
+                "quartiles");
+        row(Arrays.copyOf(DASHES, 7));
         for (Experiment experiment : experiments) {
             double[] ours = experiment.championScores(true);
-            if (ours.length == 0) {
-                continue;
+            if (ours.length > 0) {
+                double[] theirs = publishedScores(experiment, percent -> true);
+                row(
+                        experiment.label(),
+                        "" + ours.length,
+                        "" + Math.max(0, RUNS_OF_THE_PAPER - ours.length),
+                        median(ours),
+                        quartiles(ours),
+                        median(theirs),
+                        quartiles(theirs));
             }
-            List<PublishedResults.Champion> theirs = paper.champions(experiment.version(), experiment.method());
-            Optional<Sample> published = Optional.of(theirs.stream()
-                            .mapToDouble(PublishedResults.Champion::averageScore)
-                            .toArray())
-                    .filter(scores -> scores.length > 0)
-                    .map(scores -> new Sample("", scores));
-            Sample sample = new Sample("", ours);
-            long main = experiment.runs().stream()
-                    .filter(RunResult::isComparable)
-                    .filter(run -> run.evaluation().orElseThrow().mostUsedModulePercent() >= MAIN_MODULE_PERCENT)
-                    .count();
-            long mainInThePaper = theirs.stream()
-                    .filter(champion -> champion.mostUsedModulePercent() >= MAIN_MODULE_PERCENT)
-                    .count();
-            row(
-                    experiment.label(),
-                    "" + ours.length,
-                    "" + Math.max(0, RUNS_OF_THE_PAPER - ours.length),
-                    Numbers.score(sample.median()),
-                    quartiles(sample),
-                    published
-                            .map(theirSample -> Numbers.score(theirSample.median()))
-                            .orElse(""),
-                    published.map(StudyPage::quartiles).orElse(""),
-                    main + " of " + ours.length,
-                    published
-                            .map(theirSample -> mainInThePaper + " of " + theirSample.size())
-                            .orElse(""));
         }
-        text.append("\n\"One main module\": the most used module decides at least "
-                + Numbers.decimal(MAIN_MODULE_PERCENT, 0) + " % of the steps.\n");
     }
 
-    private static String quartiles(Sample sample) {
+    /** The clusters of the paper's picture: champions with one main module, and those that use several. */
+    private void moduleUse(List<Experiment> experiments) {
+        text.append("\nChampions with one main module (it decides at least " + Numbers.decimal(MAIN_MODULE_PERCENT, 0)
+                + " % of the steps) and the others:\n\n");
+        row("method", "main module", "runs", "median", "quartiles", "in the paper", "median", "quartiles");
+        row(Arrays.copyOf(DASHES, 8));
+        for (Experiment experiment : experiments) {
+            for (boolean hasMainModule : new boolean[] {true, false}) {
+                DoublePredicate cluster = percent -> percent >= MAIN_MODULE_PERCENT == hasMainModule;
+                double[] ours = experiment.runs().stream()
+                        .filter(RunResult::isComparable)
+                        .map(run -> run.evaluation().orElseThrow())
+                        .filter(evaluation -> cluster.test(evaluation.mostUsedModulePercent()))
+                        .mapToDouble(ChampionEvaluation::meanScore)
+                        .toArray();
+                double[] theirs = publishedScores(experiment, cluster);
+                if (ours.length + theirs.length > 0) {
+                    row(
+                            experiment.label(),
+                            hasMainModule ? "yes" : "no",
+                            "" + ours.length,
+                            median(ours),
+                            quartiles(ours),
+                            "" + theirs.length,
+                            median(theirs),
+                            quartiles(theirs));
+                }
+            }
+        }
+    }
+
+    /** Returns the scores of the paper's champions whose percentage for the most used module is in the cluster. */
+    private double[] publishedScores(Experiment experiment, DoublePredicate cluster) {
+        return paper.champions(experiment.version(), experiment.method()).stream()
+                .filter(champion -> cluster.test(champion.mostUsedModulePercent()))
+                .mapToDouble(PublishedResults.Champion::averageScore)
+                .toArray();
+    }
+
+    private static String median(double[] scores) {
+        return scores.length == 0 ? "" : Numbers.score(new Sample("", scores).median());
+    }
+
+    private static String quartiles(double[] scores) {
+        if (scores.length == 0) {
+            return "";
+        }
+        Sample sample = new Sample("", scores);
         return Numbers.score(sample.quantile(0.25)) + " to " + Numbers.score(sample.quantile(0.75));
     }
 
