@@ -82,12 +82,13 @@ public final class LearningCurveFigure {
                     "Generation",
                     "Champion's score");
             panel.band(quantiles(experiment, 0.25), quantiles(experiment, 0.75), style.areaColor());
+            panel.curve(quantiles(experiment, 0.5), style.color(), SOLID);
+            // On top of ours: where both agree, the paper's would be hidden.
             double[] theirs = published(paper, experiment, last);
             if (theirs.length > 0) {
                 published = true;
-                panel.curve(theirs, MethodStyle.PAPER, DASHED);
+                panel.curve(theirs, MethodStyle.PAPER_ON_AREA, DASHED);
             }
-            panel.curve(quantiles(experiment, 0.5), style.color(), SOLID);
             medians.add(new Swatch.Line(style.color(), SOLID));
             quartiles.add(new Swatch.Area(style.areaColor()));
             panels.add(panel);
@@ -98,7 +99,7 @@ public final class LearningCurveFigure {
         List<LegendEntry> legend = new ArrayList<>(
                 List.of(new LegendEntry("median over runs", medians), new LegendEntry("quartiles", quartiles)));
         if (published) {
-            legend.add(new LegendEntry("the paper's median", new Swatch.Line(MethodStyle.PAPER, DASHED)));
+            legend.add(new LegendEntry("the paper's median", new Swatch.Line(MethodStyle.PAPER_ON_AREA, DASHED)));
         }
         return Figure.grid(
                 prefix(version) + "curves",

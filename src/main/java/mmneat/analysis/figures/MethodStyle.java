@@ -19,6 +19,9 @@ record MethodStyle(Color color, float[] dash, Marker marker) {
     /** The colour of the paper's data. */
     static final Color PAPER = new Color(0xa9, 0xae, 0xb8);
 
+    /** The colour of the paper's lines over areas, which can be as light as {@link #PAPER}. */
+    static final Color PAPER_ON_AREA = new Color(0x75, 0x7b, 0x87);
+
     /** Styles of variants of methods and of other experiments. None of them is the style of a published method. */
     private static final List<MethodStyle> OTHERS = List.of(
             new MethodStyle(new Color(0xe6, 0x9f, 0x00), new float[] {9, 3, 3, 3}, Marker.PLUS),

@@ -76,6 +76,7 @@ class FigureTest {
         Figure curves = LearningCurveFigure.panels("blended", experiments, paper);
         assertThat(swatches(curves, "median over runs"))
                 .endsWith("stroke=#1a1a1a width=2 dash=", "stroke=#0072b2 width=2 dash=");
+        assertThat(swatches(curves, "the paper's median")).containsExactly("stroke=#757b87 width=1.5 dash=5 3");
         assertThat(swatches(curves, "quartiles")).hasSize(2).doesNotHaveDuplicates();
         Figure modules = ModuleUseFigure.of("blended", experiments, paper).orElseThrow();
         assertThat(swatches(modules, "ours")).endsWith("fill=#1a1a1a", "fill=#0072b2");
@@ -83,6 +84,13 @@ class FigureTest {
         for (Figure figure : List.of(medians, curves, modules)) {
             assertThat(figure.narrowSvg()).contains("width=\"380\"").contains("the paper's".replace("'", "&#39;"));
         }
+    }
+
+    @Test
+    void curves_drawThePapersMedianOnTop_soThatItShowsWhereBothAgree() {
+        String panel = LearningCurveFigure.panels("blended", experiments.subList(0, 1), paper)
+                .svg();
+        assertThat(panel.indexOf("stroke=\"#757b87\"")).isGreaterThan(panel.indexOf("stroke=\"#1a1a1a\""));
     }
 
     /**
