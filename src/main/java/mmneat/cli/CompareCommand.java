@@ -72,6 +72,9 @@ final class CompareCommand extends ConsoleCommand implements Runnable {
         }
         if (latex != null) {
             OutputFile.require("latex", latex);
+            if (csv != null) {
+                OutputFile.requireOther("latex", latex, "csv=" + csv, csv);
+            }
         }
         List<Experiment> experiments = experimentsArgument.find(this);
         List<ExperimentComparison> comparisons = ExperimentComparison.ofEachVersion(

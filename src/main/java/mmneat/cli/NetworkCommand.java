@@ -51,8 +51,6 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
     /** The formats that contain the names of inputs. */
     private static final List<String> LABELLED = List.of("svg", "dot", "graphml");
 
-    private static final Path STANDARD_OUTPUT = Path.of("-");
-
     private static final String NO_TASK = "none";
 
     private static final class Tasks extends ArrayList<String> {
@@ -99,7 +97,11 @@ final class NetworkCommand extends ConsoleCommand implements Runnable {
     @Override
     public void run() {
         Champion champion = jar.allow(choice.read(file, null));
-        boolean toScreen = out != null && out.equals(STANDARD_OUTPUT);
+        boolean toScreen = out != null && out.equals(OutputFile.STANDARD_OUTPUT);
+        if (out != null && !toScreen) {
+            OutputFile.require("out", out);
+            OutputFile.requireOther("out", out, "the network", champion.file());
+        }
         String form = format != null ? format : out == null || toScreen ? "svg" : formatOf(out);
         String text = convert(champion.genotype(), form, labels(champion, form));
         if (toScreen) {

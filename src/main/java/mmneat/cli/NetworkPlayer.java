@@ -32,7 +32,16 @@ final class NetworkPlayer {
     /** Whether a name means a network and not a class. */
     static boolean isNetwork(String name) {
         String lower = name.toLowerCase(Locale.ROOT);
-        return lower.startsWith(SHIPPED) || lower.endsWith(".json") || lower.endsWith(".xml") || isFolder(name);
+        return isShipped(name) || lower.endsWith(".json") || lower.endsWith(".xml") || isFolder(name);
+    }
+
+    /** The file or folder that a name means; empty if it means a class or a shipped champion. */
+    static Optional<Path> file(String name) {
+        return isNetwork(name) && !isShipped(name) ? Optional.of(Path.of(name)) : Optional.empty();
+    }
+
+    private static boolean isShipped(String name) {
+        return name.toLowerCase(Locale.ROOT).startsWith(SHIPPED);
     }
 
     /**
@@ -47,7 +56,7 @@ final class NetworkPlayer {
     }
 
     private static Champion champion(String name) {
-        if (!name.toLowerCase(Locale.ROOT).startsWith(SHIPPED)) {
+        if (!isShipped(name)) {
             return Champion.read(Path.of(name));
         }
         String champion = name.substring(SHIPPED.length());

@@ -289,6 +289,10 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
         }
         requireEffect("check", !settings.isRepeated(), "the game is recorded");
         OutputFile.require("record", record);
+        Optional<Path> network = NetworkPlayer.file(pacMan);
+        if (network.isPresent()) {
+            OutputFile.requireOther("record", record, "pacman=" + pacMan, network.get());
+        }
     }
 
     private void report(ContestSettings settings, ContestResult result, long start) {

@@ -113,6 +113,7 @@ final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
     public void run() {
         Champion champion = jar.allow(choice.read(file, TaskVersion.BLENDED.label()));
         OutputFile.require("out", out);
+        OutputFile.requireOther("out", out, "the network", champion.file());
         MsPacManTaskSettings settings = PlayerSettings.of(champion, task.version(), Rules.TRAINING, Optional.empty());
         if (settings.games().version() == TaskVersion.ISOLATED) {
             throw new UserError("the games of the isolated version have no power pills to be eaten; record with"

@@ -71,6 +71,10 @@ final class ReplayCommand extends ConsoleCommand implements Runnable {
         if (out != null && !out.toString().toLowerCase(Locale.ROOT).matches(".*\\.html?")) {
             throw new UserError("out=" + out + ": must end in .html (a page)");
         }
+        if (out != null) {
+            OutputFile.require("out", out);
+            OutputFile.requireOther("out", out, "the recording", file);
+        }
         requireEffect("delay", out == null, "a page has its own speed");
         boolean view = wantsView && out == null && Display.isThere();
         Recording recording = load(file);

@@ -109,6 +109,12 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
         Path folder = figuresFolder;
         if (folder != null) {
             for (Figure figure : figures) {
+                for (String ending : List.of(".svg", ".png")) {
+                    OutputFile.requireOther(
+                            "out", out, "a figure in figures=" + folder, folder.resolve(figure.name() + ending));
+                }
+            }
+            for (Figure figure : figures) {
                 OutputFile.write(folder.resolve(figure.name() + ".svg"), figure.svg());
                 figure.png().ifPresent(png -> OutputFile.write(folder.resolve(figure.name() + ".png"), png));
             }

@@ -21,6 +21,7 @@ import mmneat.cli.options.TaskOption;
 import mmneat.cli.output.OutputFile;
 import mmneat.cli.output.ProgressTicker;
 import mmneat.contest.entry.ControllerLoader;
+import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.Tasks;
@@ -121,6 +122,10 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
                 "only the isolated version has recorded ghost locations");
         if (out != null) {
             OutputFile.require("out", out);
+            for (String name : players == null ? List.<String>of() : names(players)) {
+                NetworkPlayer.file(name)
+                        .ifPresent(file -> OutputFile.requireOther("out", out, "players=" + name, file));
+            }
         }
         CsvText csv = new CsvText(
                 "task",
@@ -138,7 +143,7 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
                     ? TaskDivision.usual(settings.games().version())
                     : TaskDivision.named(predicates);
             TaskMeter meter = new TaskMeter(settings, division);
-            List<String> names = List.of((players == null ? NetworkPlayer.SHIPPED + version : players).split(","));
+            List<String> names = players == null ? List.of(NetworkPlayer.SHIPPED + version) : names(players);
             List<TaskMeasurement> measured = new ArrayList<>();
             for (String name : names) {
                 TaskMeasurement measurement = measure(meter, version, name);
@@ -150,6 +155,15 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
         if (out != null) {
             OutputFile.write(out, csv.text());
         }
+    }
+
+    /** The names in the value of {@code players=}. */
+    private static List<String> names(String players) {
+        List<String> names = List.of(players.split(",", -1));
+        if (names.stream().anyMatch(String::isBlank)) {
+            throw new UserError("players=" + players + ": a name is missing; separate the names by single commas");
+        }
+        return names;
     }
 
     private MsPacManTaskSettings settings(String version) {

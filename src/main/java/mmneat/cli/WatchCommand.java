@@ -106,6 +106,10 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
         if (!name.matches(".*\\.(html?|gif)")) {
             throw new UserError("out=" + out + ": must end in .html (a page) or .gif (an animated picture)");
         }
+        if (!window) {
+            OutputFile.require("out", out);
+            OutputFile.requireOther("out", out, "the network", champion.file());
+        }
         requireEffect(
                 "delay", window, "pages and pictures have their own speed (delay= is used only with window=true)");
         if (window) {

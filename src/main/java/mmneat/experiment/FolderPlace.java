@@ -1,10 +1,11 @@
 package mmneat.experiment;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
-/** The place in the file system at which a folder is or will be made. */
+/** The place in the file system at which a file or folder is or will be made. */
 public final class FolderPlace {
 
     private FolderPlace() {}
@@ -20,6 +21,15 @@ public final class FolderPlace {
         if (place != null && !Files.isDirectory(place)) {
             throw new UserError(word + "=" + folder + ": " + place + " is a file; name a folder");
         }
+    }
+
+    /** The path of a file without symbolic links; of a missing file as far as its folders exist. */
+    public static Path withoutLinks(Path file) throws IOException {
+        Path absolute = file.toAbsolutePath();
+        Path place = existing(absolute);
+        return place == null
+                ? absolute.normalize()
+                : place.toRealPath().resolve(place.relativize(absolute)).normalize();
     }
 
     /** The path, or the nearest folder above it that exists; null if there is none. */

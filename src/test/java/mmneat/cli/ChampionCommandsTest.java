@@ -34,6 +34,35 @@ class ChampionCommandsTest extends CommandTest {
     }
 
     @Test
+    void fileOfARun_isNotReplaced() throws IOException {
+        Path run = Files.createDirectory(folder.resolve("2M0"));
+        Files.writeString(run.resolve("parameters.properties"), "task=blended");
+        Path champion = Files.writeString(run.resolve("champion.json"), "{}");
+        String mistake = "champion.json: a file of this name belongs to the run in ";
+        assertMistake(mistake, "network", "champion=blended", "out=" + champion);
+        assertMistake(mistake, "record-ghosts", "out=" + champion);
+        assertMistake(mistake, "play", "record=" + champion);
+        assertMistake(mistake, "tasks", "task=blended", "games=1", "out=" + champion);
+        Path page = Files.createSymbolicLink(folder.resolve("page.html"), champion);
+        assertMistake("belongs to the run in", "watch", "champion=blended", "out=" + page);
+        assertMistake("belongs to the run in", "replay", "game.txt", "out=" + page);
+        assertThat(champion).hasContent("{}");
+    }
+
+    @Test
+    void fileThatIsRead_isNotReplaced() throws IOException {
+        Path network = folder.resolve("net.json");
+        assertThat(execute("network", "champion=blended", "out=" + network)).isZero();
+        String before = Files.readString(network);
+        String mistake = "this is also the file of ";
+        assertMistake(mistake, "network", network.toString(), "out=" + network);
+        assertMistake(mistake, "record-ghosts", network.toString(), "out=" + network);
+        assertMistake(mistake, "play", "pacman=" + network, "record=" + network);
+        assertMistake(mistake, "tasks", "task=blended", "players=" + network, "out=" + network);
+        assertThat(network).hasContent(before);
+    }
+
+    @Test
     void gameAsGif_isWritten() throws IOException {
         Path gif = folder.resolve("game.gif");
         assertThat(execute("watch", "champion=blended", "out=" + gif)).isZero();

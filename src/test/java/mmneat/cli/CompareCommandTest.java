@@ -45,6 +45,22 @@ class CompareCommandTest extends CommandTest {
     }
 
     @Test
+    void csvAndLatex_areTwoFiles_andNotThoseOfARun() throws IOException {
+        twoMethods();
+        String experiment = base.resolve("blended").toString();
+        Path file = base.resolve("s.txt");
+        assertMistake("this is also the file of csv=", "compare", experiment, "csv=" + file, "latex=" + file);
+        assertThat(file).doesNotExist();
+        Path parameters = base.resolve("blended/2M0/parameters.properties");
+        String before = Files.readString(parameters);
+        assertMistake("belongs to the run in", "compare", experiment, "csv=" + parameters);
+        assertMistake("belongs to the run in", "compare", experiment, "latex=" + parameters);
+        assertMistake("belongs to the run in", "report", experiment, "out=" + parameters);
+        assertMistake("standard output is not possible here", "report", experiment, "out=-");
+        assertThat(parameters).hasContent(before);
+    }
+
+    @Test
     void versionsOfTheTask_areComparedEachForItself() throws IOException {
         twoMethods();
         for (int run = 0; run < 8; run++) {

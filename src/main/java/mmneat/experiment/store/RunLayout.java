@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import mmneat.experiment.FolderPlace;
 
 /**
  * The names of the files in a run's folder and the columns of their tables, ours and the original's.
@@ -169,6 +170,47 @@ public final class RunLayout {
         return !List.of(LOCK, STATUS).contains(name)
                 && (isNetworksFolder(name)
                         || name.matches("bestPacMan|bestObjectives|.*\\.(txt|xml|csv|json|gz|plot|properties)"));
+    }
+
+    /**
+     * The folder of the run to which a file belongs, by its name and place; empty if the folder is not that of a run, or
+     * if runs have no file of this name. The file may be missing, its folder may be a symbolic link.
+     */
+    public static Optional<Path> runWith(Path file) throws IOException {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            return Optional.empty();
+        }
+        Path place = FolderPlace.withoutLinks(file);
+        String name = "";
+        for (Path folder = place.getParent(); folder != null && name.indexOf('/') < 0; folder = folder.getParent()) {
+            name = folder.relativize(place)
+                    .toString()
+                    .replace(place.getFileSystem().getSeparator(), "/");
+            if (isRun(folder) && isOfRun(prefixIn(folder), name)) {
+                return Optional.of(folder);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static boolean isRun(Path folder) {
+        return Files.isDirectory(folder)
+                && Files.isReadable(folder)
+                && (Stream.of(STATUS, LOCK, CHECKPOINT, PREVIOUS_CHECKPOINT)
+                                .anyMatch(name -> Files.exists(folder.resolve(name)))
+                        || parametersIn(folder).isPresent());
+    }
+
+    /** Whether a file of this name is written into the folder of a run with this prefix, at any time. */
+    private static boolean isOfRun(String prefix, String name) {
+        // Without a log there are no files with a prefix. No name begins with a slash.
+        String known = prefix.isEmpty() ? "/" : prefix;
+        String finished = name.replaceFirst(Pattern.quote(DurableFiles.UNFINISHED) + "$", "");
+        return List.of(PARAMETERS, GHOST_LOCATIONS, STATUS, LOCK, CHECKPOINT, PREVIOUS_CHECKPOINT)
+                        .contains(finished)
+                || finished.matches("evaluation-[^/]+\\.(json|csv)|[^/]*" + Pattern.quote(ORIGINAL_PARAMETERS))
+                || finished.matches(Pattern.quote(known) + "[^/]*\\.(txt|plot)")
+                || isWrittenByRun(known, finished);
     }
 
     /** The gnuplot script that shows a log. */
