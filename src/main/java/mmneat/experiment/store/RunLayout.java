@@ -173,8 +173,8 @@ public final class RunLayout {
     }
 
     /**
-     * The folder of the run to which a file belongs, by its name and place; empty if the folder is not that of a run, or
-     * if runs have no file of this name. The file may be missing, its folder may be a symbolic link.
+     * The folder of the run to which a file belongs, by its name and place. Empty if the folder is not that of a run,
+     * or if runs have no file of this name. The file may be missing, its folder may be a symbolic link.
      */
     public static Optional<Path> runWith(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {

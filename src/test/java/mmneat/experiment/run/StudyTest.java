@@ -64,9 +64,48 @@ class StudyTest {
     }
 
     @Test
-    void listInTwoWords_orWithSpacesAndRepetitions_isOneList() {
-        assertThat(names(study("task=blended", "task=isolated,blended", "method= 2M, 1M ,2M")))
+    void listInTwoWords_orWithSpaces_isOneList() {
+        assertThat(names(study("task=blended", "task=isolated", "method= 2M, 1M ")))
                 .containsExactly("blended-2M", "blended-1M", "isolated-2M", "isolated-1M");
+    }
+
+    @Test
+    void allMethods_andHybrids_areTheUnion() {
+        assertThat(names(study("task=interleaved", "method=1M,H21,all")))
+                .containsExactly(
+                        "interleaved-1M",
+                        "interleaved-2M",
+                        "interleaved-3M",
+                        "interleaved-MMD",
+                        "interleaved-MT",
+                        "interleaved-H21");
+        Study study = study("task=blended", "method=all,MT");
+        assertThat(study.parts()).hasSize(6);
+        assertThat(study.remarks()).hasSize(1).first().asString().startsWith("task=blended has no method MT ");
+        requireMistake("method=4M: must be one of 1M", "task=blended", "method=all,4M");
+    }
+
+    @Test
+    void repetition_isAnError() {
+        requireMistake("method=1M,1M: 1M is named twice", "task=blended", "method=1M,1M");
+        requireMistake("method=1M,1M: 1M is named twice", "task=blended", "method=1m,1M");
+        requireMistake("method=2M,1M,2M: 2M is named twice", "task=blended", "method= 2M, 1M ,2M");
+        requireMistake("task=blended,blended: blended is named twice", "task=blended,blended");
+        requireMistake("blended is named twice", "task=blended", "task=isolated,blended");
+        requireMistake("all is named twice", "task=blended", "method=all,all");
+    }
+
+    @Test
+    void experimentsOfOneStudy_haveFoldersOfTheirOwn() {
+        requireMistake("leave out saveTo=x", "task=blended", "method=1M,2M", "saveTo=x");
+        requireMistake("leave out base=pp", "task=blended,isolated", "base=pp");
+        requireMistake("leave out log=x", "task=blended", "method=1M,2M", "log=x");
+        // Run 10 of the one and run 0 of the other.
+        requireMistake("with saveTo=NAME", "task=blended", "method=H11,H111", "runs=11");
+        assertThat(names(study("task=blended", "method=H11,H111", "runs=10"))).hasSize(2);
+        assertThat(names(study("task=blended,isolated", "method=1M", "saveTo=x")))
+                .hasSize(2);
+        assertThat(names(study("task=blended", "method=1M,2M", "base=pp"))).hasSize(2);
     }
 
     @Test
