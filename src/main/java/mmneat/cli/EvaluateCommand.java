@@ -1,5 +1,6 @@
 package mmneat.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,6 +28,7 @@ import mmneat.cli.options.RulesOption;
 import mmneat.cli.options.TaskOption;
 import mmneat.cli.output.ProgressTicker;
 import mmneat.cli.output.QuantityText;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.neat.ModuleLayout;
 import org.jspecify.annotations.Nullable;
@@ -80,9 +82,8 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
             names = "seed",
             paramLabel = "N",
             defaultValue = "0",
-            description =
-                    "Seed from which the games' seeds are drawn; a seed other than before replaces the existing games"
-                            + " (default: ${DEFAULT-VALUE}).")
+            description = "Seed from which the games' seeds are drawn; an evaluation with another seed is kept as"
+                    + " another file (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(
@@ -126,13 +127,14 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
             return;
         }
         int threads = this.threads == null ? Runtime.getRuntime().availableProcessors() : this.threads;
-        try (ChampionEvaluator evaluator = new ChampionEvaluator(rules, games, seed, threads)) {
+        try (ChampionEvaluator evaluator = new ChampionEvaluator(rules, games, seed, threads);
+                ChampionEvaluator.Evaluations started = evaluator.begin(entries)) {
+            started.remarks().forEach(notes()::println);
+            notes().flush();
             long all = (long) games * entries.size();
             long start = System.nanoTime();
             List<ChampionEvaluation> evaluations = ProgressTicker.during(
-                    notes(),
-                    () -> List.of(progressLine(evaluator, all, System.nanoTime() - start)),
-                    () -> evaluator.evaluate(entries));
+                    notes(), () -> List.of(progressLine(evaluator, all, System.nanoTime() - start)), started::finish);
             print(entries, evaluations);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -156,11 +158,19 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
                         .forEach(run -> champions.add(jar.allow(Champion.read(run.folder()))));
             }
         }
-        // A champion that is named twice, for example as a folder and as a file, plays once.
+        // A champion that is named twice, for example as a folder and as a file or a link, plays once.
         Map<Path, Champion> byFile = new LinkedHashMap<>();
-        champions.forEach(
-                champion -> byFile.putIfAbsent(champion.file().toAbsolutePath().normalize(), champion));
+        champions.forEach(champion -> byFile.putIfAbsent(realPath(champion.file()), champion));
         return List.copyOf(byFile.values());
+    }
+
+    /** The file itself, without the links that lead to it. */
+    private static Path realPath(Path file) {
+        try {
+            return file.toRealPath();
+        } catch (IOException e) {
+            throw FileErrors.unreadable(file, e);
+        }
     }
 
     private void report(List<ChampionEvaluator.Entry> entries) {

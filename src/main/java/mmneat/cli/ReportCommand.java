@@ -1,6 +1,5 @@
 package mmneat.cli;
 
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -25,8 +24,6 @@ import mmneat.cli.options.GhostsOption;
 import mmneat.cli.options.JarOption;
 import mmneat.cli.options.TaskOption;
 import mmneat.cli.output.OutputFile;
-import mmneat.experiment.FileErrors;
-import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTaskSettings;
 import org.jspecify.annotations.Nullable;
 import pacman.game.MachineFonts;
@@ -180,13 +177,8 @@ final class ReportCommand extends ConsoleCommand implements Runnable {
 
     private static String replay(
             Champion champion, MsPacManTaskSettings settings, Experiment experiment, RunResult run) {
-        long seed;
-        try {
-            seed = ChampionEvaluator.typicalGame(champion, run.folder(), Rules.TRAINING)
-                    .orElse(0L);
-        } catch (IOException e) {
-            throw new UserError(run.folder() + ": " + FileErrors.reason(e), e);
-        }
+        long seed = ChampionEvaluator.typicalGame(champion, run.folder(), Rules.TRAINING)
+                .orElse(0L);
         ReplayTitle title = new ReplayTitle(
                 (experiment.version() + " " + experiment.method() + ", run " + run.number()).strip(),
                 "training rules, seed " + seed + ", network "

@@ -3,7 +3,9 @@ package mmneat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import mmneat.analysis.results.RunFixture;
 import mmneat.neat.ModuleLayout;
 import org.junit.jupiter.api.Test;
@@ -22,5 +24,51 @@ class EvaluateCommandTest extends CommandTest {
         assertThat(errors.toString()).isEmpty();
         assertThat(code).isZero();
         assertThat(run.resolve("evaluation-training.csv")).content().hasLineCount(1 + 3);
+    }
+
+    @Test
+    void folderThatIsALinkToAnotherRun_isEvaluatedOnce() throws IOException {
+        Path run = RunFixture.run(base, "blended", "2M", 0, 1000, 2000);
+        RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);
+        Files.createSymbolicLink(base.resolve("blended/2M7"), Path.of("2M0"));
+        assertThat(execute("evaluate", base.resolve("blended").toString(), "games=2"))
+                .isZero();
+        assertThat(out.toString().lines().filter(line -> line.startsWith("2M")))
+                .singleElement()
+                .asString()
+                .startsWith("2M0");
+    }
+
+    @Test
+    void tableWithADamagedLine_isRefusedByEvaluateAndReport() throws IOException {
+        Path run = RunFixture.run(base, "blended", "2M", 0, 1000, 2000);
+        RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);
+        String experiment = base.resolve("blended").toString();
+        assertThat(execute("evaluate", experiment, "games=4")).isZero();
+        Path table = run.resolve("evaluation-training.csv");
+        String whole = Files.readString(table);
+        for (String line : List.of("5,x\n", whole, whole.replace("game,seed", "4,Z"))) {
+            Files.writeString(table, whole + line);
+            String mistake = table + ", line 6: ";
+            assertMistake(mistake, "evaluate", experiment, "games=4");
+            assertMistake(mistake, "report", experiment, "out=" + base.resolve("report.html"));
+            assertThat(table).hasContent(whole + line);
+        }
+        Files.writeString(table, whole + "4,12");
+        assertThat(execute("report", experiment, "out=" + base.resolve("report.html")))
+                .isZero();
+    }
+
+    @Test
+    void evaluationWithAnotherSeed_isKept_withARemark() throws IOException {
+        Path run = RunFixture.run(base, "blended", "2M", 0, 1000, 2000);
+        RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);
+        assertThat(execute("evaluate", run.toString(), "games=4")).isZero();
+        assertThat(errors.toString()).isEmpty();
+        String whole = Files.readString(run.resolve("evaluation-training.csv"));
+        assertThat(execute("evaluate", run.toString(), "games=1", "seed=1")).isZero();
+        assertThat(errors.toString())
+                .contains("held another evaluation (4 games; ", "kept as evaluation-training-old-1.csv");
+        assertThat(run.resolve("evaluation-training-old-1.csv")).hasContent(whole);
     }
 }

@@ -23,14 +23,13 @@ import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TaskVersion;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeJson;
-import mmneat.random.ResumableRandom;
 
 /**
  * Evaluates champions over many games on all cores.
  *
- * <p>Every game has a generator of its own. The seed of game n is the n-th draw from a generator with the evaluation's
- * seed. So the result is the same for any number of threads, and any game can be repeated alone. Games are played in
- * blocks, and blocks are written in order.
+ * <p>Every game has a generator of its own. {@link EvaluationName#seeds} gives their seeds. So the result is the same
+ * for any number of threads, and any game can be repeated alone. Games are played in blocks, and blocks are written in
+ * order.
  */
 public final class ChampionEvaluator implements AutoCloseable {
 
@@ -73,6 +72,7 @@ public final class ChampionEvaluator implements AutoCloseable {
         private final Path summary;
         private final EvaluationFile file;
         private final List<GameResult> results;
+        private final List<String> remarks = new ArrayList<>();
         private final List<Future<List<GameResult>>> blocks = new ArrayList<>();
 
         Job(Champion champion, MsPacManTaskSettings settings) {
@@ -84,9 +84,12 @@ public final class ChampionEvaluator implements AutoCloseable {
             table = place.resolve(prefix + RunLayout.evaluationGames(rules.label()));
             summary = place.resolve(prefix + RunLayout.evaluationSummary(rules.label()));
             file = new EvaluationFile(table);
-            long[] seeds = seeds(games);
-            results = new ArrayList<>(
-                    file.begin(name(champion, settings), champion.genotype().modules(), ChampionEvaluator.this::seeds));
+            EvaluationName name = name(champion, settings);
+            long[] seeds = name.seeds(games);
+            results = new ArrayList<>(begin(name, champion.genotype().modules()));
+            if (results.isEmpty()) {
+                keepSummary();
+            }
             found.addAndGet(Math.min(games, results.size()));
             for (int first = results.size(); first < games; first += BLOCK) {
                 int from = first;
@@ -100,18 +103,49 @@ public final class ChampionEvaluator implements AutoCloseable {
             return RunLayout.isNamedAsChampion(champion.file());
         }
 
-        private String name(Champion champion, MsPacManTaskSettings settings) {
-            return networkName(champion) + "; "
-                    + settings.games().version().label() + " task; " + rules.label()
-                    + " rules; seed " + seed + ghostLocations(settings);
+        /** Opens the table. If it cannot be read, the lock is released. */
+        private List<GameResult> begin(EvaluationName name, int modules) {
+            try {
+                List<GameResult> found = file.begin(name, modules);
+                file.replaced()
+                        .ifPresent(old -> remarks.add(table + ": held another evaluation ("
+                                + old.table().games().size() + " games; "
+                                + old.table().evaluation().text() + "); kept as "
+                                + old.copy().getFileName()));
+                return found;
+            } catch (UserError e) {
+                file.close();
+                throw e;
+            }
+        }
+
+        /** Keeps the summary of other games; {@link #finish} replaces it. */
+        private void keepSummary() {
+            try {
+                if (Files.exists(summary)) {
+                    Path copy = KeptFiles.keep(summary, Files.readAllBytes(summary));
+                    remarks.add(summary + ": is the summary of other games; kept as " + copy.getFileName());
+                }
+            } catch (IOException e) {
+                file.close();
+                throw FileErrors.unreadable(summary, e);
+            }
+        }
+
+        private EvaluationName name(Champion champion, MsPacManTaskSettings settings) {
+            return new EvaluationName(
+                    networkName(champion),
+                    settings.games().version().label(),
+                    rules.label(),
+                    seed,
+                    ghostLocations(settings));
         }
 
         /** Isolated games depend on the recording too. */
         private String ghostLocations(MsPacManTaskSettings settings) {
             return settings.games().version() == TaskVersion.ISOLATED
-                    ? "; ghost locations "
-                            + Integer.toHexString(Objects.hashCode(
-                                    settings.games().rules().ghosts().ghostLocations()))
+                    ? Integer.toHexString(
+                            Objects.hashCode(settings.games().rules().ghosts().ghostLocations()))
                     : "";
         }
 
@@ -152,15 +186,6 @@ public final class ChampionEvaluator implements AutoCloseable {
         return results;
     }
 
-    private long[] seeds(int count) {
-        ResumableRandom random = new ResumableRandom(seed);
-        long[] seeds = new long[count];
-        for (int game = 0; game < count; game++) {
-            seeds[game] = random.nextLong();
-        }
-        return seeds;
-    }
-
     private static List<GameResult> get(Future<List<GameResult>> block) throws InterruptedException {
         try {
             return block.get();
@@ -178,27 +203,71 @@ public final class ChampionEvaluator implements AutoCloseable {
     public record Entry(Champion champion, MsPacManTaskSettings settings) {}
 
     /**
-     * Evaluates champions and writes the table and the summary of each into the folder of its run, or beside a file
-     * that belongs to no run. Games of an earlier evaluation with the same seed are kept.
+     * Evaluates champions: {@link #begin}, then {@link Evaluations#finish}.
      *
      * @return one evaluation per entry
-     * @throws UserError if a table or summary cannot be written, or if another evaluation is writing it
+     * @throws UserError as {@code begin} and {@code finish} do
      */
     public List<ChampionEvaluation> evaluate(List<Entry> entries) throws InterruptedException {
+        try (Evaluations evaluations = begin(entries)) {
+            return evaluations.finish();
+        }
+    }
+
+    /**
+     * Opens the table of each champion in the folder of its run, or beside a file that belongs to no run, and starts to
+     * play. Games of an earlier evaluation with the same seed count. The table and the summary of an evaluation with
+     * another seed or another champion are kept as other files.
+     *
+     * @throws UserError if a table cannot be written or is damaged, or if another evaluation is writing it
+     */
+    public Evaluations begin(List<Entry> entries) {
         List<Job> jobs = new ArrayList<>();
         try {
             entries.forEach(entry -> jobs.add(new Job(entry.champion(), entry.settings())));
+        } catch (UserError e) {
+            jobs.forEach(Job::close);
+            throw e;
+        }
+        return new Evaluations(jobs);
+    }
+
+    /** Evaluations whose games are being played. */
+    public final class Evaluations implements AutoCloseable {
+
+        private final List<Job> jobs;
+
+        private Evaluations(List<Job> jobs) {
+            this.jobs = jobs;
+        }
+
+        /** Remarks on the files that were found, one line each: which evaluation was kept as which file. */
+        public List<String> remarks() {
+            return jobs.stream().flatMap(job -> job.remarks.stream()).toList();
+        }
+
+        /**
+         * Waits for the games, and writes the table and the summary of each champion.
+         *
+         * @return one evaluation per entry
+         * @throws UserError if a table or summary cannot be written
+         */
+        public List<ChampionEvaluation> finish() throws InterruptedException {
             List<ChampionEvaluation> evaluations = new ArrayList<>();
             for (Job job : jobs) {
                 evaluations.add(job.finish());
             }
             return evaluations;
-        } finally {
+        }
+
+        /** Releases the tables. */
+        @Override
+        public void close() {
             jobs.forEach(Job::close);
         }
     }
 
-    /** How the last column of a table of games begins. */
+    /** The network in the {@link EvaluationName}. */
     private static String networkName(Champion champion) {
         int fingerprint = GenotypeJson.write(champion.genotype()).hashCode();
         return "network " + champion.genotype().id() + " (" + Integer.toHexString(fingerprint) + ")";
@@ -207,25 +276,16 @@ public final class ChampionEvaluator implements AutoCloseable {
     /**
      * The seed of the game of median score in the evaluation of a run's champion; empty if there was none.
      *
-     * @throws IOException if its table cannot be read
+     * @throws UserError if its table cannot be read or is damaged
      */
-    public static Optional<Long> typicalGame(Champion champion, Path runFolder, Rules rules) throws IOException {
-        Path table = runFolder.resolve(RunLayout.evaluationGames(rules.label()));
-        if (!Files.exists(table)) {
-            return Optional.empty();
-        }
-        List<String> lines = Files.readAllLines(table);
-        if (lines.size() < 2 || !lines.get(1).contains("," + networkName(champion) + ";")) {
-            return Optional.empty();
-        }
-        List<GameResult> results = lines.stream()
-                .skip(1)
-                .map(GameResult::parse)
-                .sorted(Comparator.comparingDouble(GameResult::score).thenComparingInt(GameResult::number))
-                .toList();
-        return results.isEmpty()
-                ? Optional.empty()
-                : Optional.of(results.get(results.size() / 2).seed());
+    public static Optional<Long> typicalGame(Champion champion, Path runFolder, Rules rules) {
+        return EvaluationTable.read(runFolder.resolve(RunLayout.evaluationGames(rules.label())))
+                .filter(table -> table.evaluation().network().equals(networkName(champion))
+                        && table.evaluation().rules().equals(rules.label()))
+                .map(table -> table.games().stream()
+                        .sorted(Comparator.comparingDouble(GameResult::score).thenComparingInt(GameResult::number))
+                        .toList())
+                .map(results -> results.get(results.size() / 2).seed());
     }
 
     @Override

@@ -8,9 +8,8 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.function.IntFunction;
+import java.util.Optional;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 
@@ -30,6 +29,8 @@ final class EvaluationFile implements AutoCloseable {
 
     /** The last column of every line; set by {@link #begin}. */
     private String evaluation = "";
+
+    private Optional<Replaced> replaced = Optional.empty();
 
     /**
      * Opens the file, and creates it if it does not exist.
@@ -62,20 +63,27 @@ final class EvaluationFile implements AutoCloseable {
     }
 
     /**
-     * Reads the games that the file holds, if they are of this evaluation; otherwise the file is truncated. An
-     * incomplete last line is dropped.
+     * Returns the games that the file holds, if they are of this evaluation. Otherwise no game is returned, the file
+     * becomes empty, and its table is kept as another file. An incomplete last line is dropped.
      *
-     * @param seeds gives the seeds of the first games of the evaluation, as many as are asked for
-     * @param name says which network plays by which rules; the last column of every line
+     * @param name of this evaluation
      * @param modules of the network
+     * @throws UserError if the table is damaged
      */
-    List<GameResult> begin(String name, int modules, IntFunction<long[]> seeds) {
-        evaluation = name;
+    List<GameResult> begin(EvaluationName name, int modules) {
+        evaluation = name.text();
         try {
             String found = new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8);
-            String header = GameResult.header(modules);
-            List<GameResult> games = readable(found, header, seeds);
-            String kept = header + '\n' + lines(games);
+            Optional<EvaluationTable> table = EvaluationTable.parse(file, found);
+            boolean isSame = table.isPresent()
+                    && table.get().modules() == modules
+                    && table.get().evaluation().equals(name);
+            List<GameResult> games = isSame ? table.get().games() : List.of();
+            if (table.isPresent() && !isSame) {
+                replaced = Optional.of(
+                        new Replaced(table.get(), KeptFiles.keep(file, found.getBytes(StandardCharsets.UTF_8))));
+            }
+            String kept = GameResult.header(modules) + '\n' + lines(games);
             if (!found.startsWith(kept)) {
                 channel.truncate(0);
                 write(kept);
@@ -84,31 +92,20 @@ final class EvaluationFile implements AutoCloseable {
             return games;
         } catch (IOException e) {
             throw failure(e);
-        } catch (IllegalArgumentException e) {
-            throw new UserError(file + ": " + e.getMessage() + "; delete the file to evaluate again", e);
         }
     }
 
-    private List<GameResult> readable(String text, String header, IntFunction<long[]> seeds) {
-        List<GameResult> games = new ArrayList<>();
-        // The part after the last line end is an incomplete line.
-        List<String> lines =
-                text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
-        if (lines.isEmpty() || !lines.get(0).equals(header)) {
-            return games;
-        }
-        long[] expected = seeds.apply(lines.size() - 1);
-        for (String line : lines.subList(1, lines.size())) {
-            if (!line.endsWith("," + evaluation)) {
-                return new ArrayList<>();
-            }
-            GameResult game = GameResult.parse(line);
-            if (game.seed() != expected[games.size()]) {
-                return new ArrayList<>();
-            }
-            games.add(game);
-        }
-        return games;
+    /**
+     * The table of another evaluation that {@link #begin} found.
+     *
+     * @param table its games
+     * @param copy the file in which it is kept
+     */
+    record Replaced(EvaluationTable table, Path copy) {}
+
+    /** The table of another evaluation that {@link #begin} found in the file; empty if there was none. */
+    Optional<Replaced> replaced() {
+        return replaced;
     }
 
     void append(List<GameResult> games) {

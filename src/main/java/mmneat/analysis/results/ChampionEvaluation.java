@@ -51,6 +51,9 @@ public record ChampionEvaluation(
 
     private static final int MAZES = 4;
 
+    /** Upper limit of scores and objectives, far above those of the best games. */
+    public static final double HIGHEST_SCORE = 1e9;
+
     /**
      * Checks the numbers, because they may come from a damaged file.
      *
@@ -59,7 +62,7 @@ public record ChampionEvaluation(
      */
     public ChampionEvaluation {
         require(games >= 1, "games", games);
-        require(Double.isFinite(meanScore), "meanScore", meanScore);
+        require(meanScore >= 0 && meanScore <= HIGHEST_SCORE, "meanScore", meanScore);
         if (games < FEWEST_FOR_DEVIATION) {
             require(standardDeviation == null || standardDeviation == 0, "standardDeviation", standardDeviation);
             require(low == null || low == meanScore, "low", low);

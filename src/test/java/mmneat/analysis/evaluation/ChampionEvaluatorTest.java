@@ -127,13 +127,64 @@ class ChampionEvaluatorTest {
     }
 
     @Test
-    void tableOfAnotherSeed_isReplacedAsAWhole() throws Exception {
+    void evaluationWithAnotherSeed_isKept_andBothCanBeTakenUpAgain() throws Exception {
+        ChampionEvaluation larger = evaluate(Rules.TRAINING, 5, 1);
+        String table = table();
+        String summary = Files.readString(run.resolve("evaluation-training.json"));
+        Champion champion = Champion.read(run);
+        MsPacManTaskSettings settings = PlayerSettings.of(champion, Optional.empty(), Rules.TRAINING, Optional.empty());
+        try (ChampionEvaluator evaluator = new ChampionEvaluator(Rules.TRAINING, 1, 12, 1);
+                ChampionEvaluator.Evaluations started =
+                        evaluator.begin(List.of(new ChampionEvaluator.Entry(champion, settings)))) {
+            assertThat(started.remarks())
+                    .hasSize(2)
+                    .satisfiesExactly(
+                            remark -> assertThat(remark)
+                                    .startsWith(run.resolve("evaluation-training.csv")
+                                            + ": held another evaluation (5 games; network 7 (")
+                                    .endsWith("seed 11); kept as evaluation-training-old-1.csv"),
+                            remark -> assertThat(remark)
+                                    .isEqualTo(run.resolve("evaluation-training.json")
+                                            + ": is the summary of other games; kept as"
+                                            + " evaluation-training-old-1.json"));
+            started.finish();
+        }
+        assertThat(table()).hasLineCount(2);
+        assertThat(run.resolve("evaluation-training-old-1.csv")).hasContent(table);
+        assertThat(run.resolve("evaluation-training-old-1.json")).hasContent(summary);
+
+        assertThat(evaluate(Rules.TRAINING, 5, 1).meanScore()).isEqualTo(larger.meanScore());
+        assertThat(table()).isEqualTo(table);
+        assertThat(run.resolve("evaluation-training-old-2.csv")).content().hasLineCount(2);
+    }
+
+    @Test
+    void summaryWithoutItsTable_isKept_onlyOnce() throws Exception {
         evaluate(Rules.TRAINING, 5, 1);
-        String longer = table();
-        Files.writeString(run.resolve("evaluation-training.csv"), longer.replace("seed 11", "seed 12"));
-        evaluate(Rules.TRAINING, 3, 1);
-        assertThat(table()).hasLineCount(4);
-        assertThat(longer).startsWith(table());
+        String summary = Files.readString(run.resolve("evaluation-training.json"));
+        for (int repetition = 0; repetition < 2; repetition++) {
+            Files.delete(run.resolve("evaluation-training.csv"));
+            Files.writeString(run.resolve("evaluation-training.json"), summary);
+            evaluate(Rules.TRAINING, 2, 1);
+        }
+        assertThat(run.resolve("evaluation-training-old-1.json")).hasContent(summary);
+        assertThat(run.resolve("evaluation-training-old-2.json")).doesNotExist();
+    }
+
+    @Test
+    void damagedLine_isRefused_andTheTableLeftAlone() throws Exception {
+        evaluate(Rules.TRAINING, 5, 1);
+        List<String> lines = new ArrayList<>(table().lines().toList());
+        lines.set(3, lines.get(3).replaceFirst("^2,", "2,x"));
+        String damaged = String.join("\n", lines) + "\n";
+        Files.writeString(run.resolve("evaluation-training.csv"), damaged);
+        assertThatThrownBy(() -> evaluate(Rules.TRAINING, 5, 1))
+                .isInstanceOf(UserError.class)
+                .hasMessageStartingWith(run.resolve("evaluation-training.csv") + ", line 4: column seed: 'x")
+                .hasMessageEndingWith("; delete the file to evaluate again");
+        assertThat(table()).isEqualTo(damaged);
+        Files.delete(run.resolve("evaluation-training.csv"));
+        assertThat(evaluate(Rules.TRAINING, 5, 1).games()).isEqualTo(5);
     }
 
     @Test
@@ -208,7 +259,9 @@ class ChampionEvaluatorTest {
     @Test
     void summary_agreesWithTheGames_andAGameWithItsSeed() throws Exception {
         ChampionEvaluation summary = evaluate(Rules.TRAINING, 20, 1);
-        List<GameResult> games = table().lines().skip(1).map(GameResult::parse).toList();
+        List<GameResult> games = EvaluationTable.read(run.resolve("evaluation-training.csv"))
+                .orElseThrow()
+                .games();
         assertThat(summary.games()).isEqualTo(20);
         assertThat(summary.meanScore())
                 .isEqualTo(
