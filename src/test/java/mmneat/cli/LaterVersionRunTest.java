@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.stream.Stream;
 import java.util.zip.GZIPInputStream;
@@ -117,11 +118,17 @@ class LaterVersionRunTest extends CommandTest {
         replaceParameter("imprisonedWhileEdible", "true");
         replaceParameter("mazePowerPillGhostMapping", "data/pacman/PowerPillToGhostLocationMapping.txt");
         Path champion = run.resolve("bestPacMan/bestPacMan.xml");
-        assertThat(execute("network", "champion=isolated", "format=xml", "out=" + champion))
+        Path network = run.resolveSibling("network.xml");
+        assertThat(execute("network", "champion=isolated", "format=xml", "out=" + network))
                 .isZero();
+        Files.move(network, champion, StandardCopyOption.REPLACE_EXISTING);
 
         assertThat(execute("play", "pacman=" + run)).as(errors.toString()).isZero();
-        assertMistake("the file with the ghost locations of its run is missing", "evaluate", run.toString(), "games=2");
+        assertMistake(
+                "the file with the ghost locations of its run is not in the run's folder",
+                "evaluate",
+                run.toString(),
+                "games=2");
         Path locations = GoldenData.folder("ghost-locations").resolve("PowerPillToGhostLocationMapping.txt");
         assertThat(execute("evaluate", run.toString(), "games=2", "ghosts=" + locations))
                 .as(errors.toString())

@@ -12,8 +12,8 @@ import mmneat.analysis.results.RunParameters;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.OwnActivation;
+import mmneat.experiment.store.OrdinaryFiles;
 import mmneat.experiment.store.RunLayout;
-import mmneat.experiment.store.SymbolicLinks;
 import mmneat.neat.Genotype;
 import mmneat.neat.io.GenotypeFiles;
 import mmneat.neat.io.GenotypeFormatException;
@@ -69,7 +69,7 @@ public record Champion(
      */
     public static Champion read(Path path) {
         if (Files.isDirectory(path)) {
-            SymbolicLinks.refuseIn(path);
+            OrdinaryFiles.requireIn(path);
         }
         Path file = Files.isDirectory(path) ? RunLayout.championIn(path).orElseThrow(() -> noChampion(path)) : path;
         if (!Files.exists(file)) {
@@ -77,7 +77,7 @@ public record Champion(
         }
         try {
             Optional<Path> folder = runFolder(file);
-            folder.ifPresent(SymbolicLinks::refuseIn);
+            folder.ifPresent(OrdinaryFiles::requireIn);
             return new Champion(GenotypeFiles.read(file), file, folder, RunParameters.read(folder));
         } catch (GenotypeFormatException e) {
             throw new UserError(e.getMessage(), e);

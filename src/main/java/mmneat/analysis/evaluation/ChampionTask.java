@@ -1,11 +1,14 @@
 package mmneat.analysis.evaluation;
 
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import mmneat.evolution.Task;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
@@ -61,18 +64,26 @@ final class ChampionTask {
     }
 
     /**
-     * Checks that the recording of ghost locations that the run used still exists. That of an original's run never
-     * does.
+     * Checks that the recording of ghost locations that the run used is in its folder, as our runs keep it. A file
+     * elsewhere is not read, because the folder may come from another person. That of an original's run is never there.
      */
     private static void requireRecording(Champion champion) {
         String file = champion.parameters().getOrDefault(Tasks.GHOST_LOCATIONS, "");
         boolean isIsolated = PublishedTask.version(champion.parameters()).equals(Optional.of(TaskVersion.ISOLATED));
-        boolean isThere = file.isEmpty()
-                || Files.exists(Path.of(file))
-                || Files.exists(champion.parametersFile().get().resolveSibling(file));
-        if (isIsolated && !isThere) {
-            throw new UserError(champion.file() + ": the file with the ghost locations of its run is missing: " + file
-                    + "; give it with ghosts=FILE");
+        if (isIsolated
+                && !file.isEmpty()
+                && !isInFolder(file, champion.parametersFile().get())) {
+            throw new UserError(champion.file() + ": the file with the ghost locations of its run is not in the run's"
+                    + " folder: " + PlainText.shown(file) + "; give it with ghosts=FILE");
+        }
+    }
+
+    private static boolean isInFolder(String name, Path parametersFile) {
+        try {
+            Path file = parametersFile.resolveSibling(name);
+            return Path.of(name).equals(file.getFileName()) && Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS);
+        } catch (InvalidPathException e) {
+            return false;
         }
     }
 

@@ -14,8 +14,8 @@ import mmneat.experiment.JsonProblem;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
+import mmneat.experiment.store.OrdinaryFiles;
 import mmneat.experiment.store.RunLayout;
-import mmneat.experiment.store.SymbolicLinks;
 import mmneat.neat.io.StrictJson;
 
 /**
@@ -41,7 +41,7 @@ public final class RunReader {
     }
 
     static RunResult read(Path folder) {
-        SymbolicLinks.refuseIn(folder);
+        OrdinaryFiles.requireIn(folder);
         Map<String, String> parameters = RunParameters.read(Optional.of(folder));
         return new RunResult(
                 folder, number(folder, parameters), parameters, championScores(folder), evaluation(folder, TRAINING));

@@ -1,14 +1,12 @@
 package mmneat.cli.options;
 
 import java.io.IOException;
-import java.io.Reader;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import org.jspecify.annotations.Nullable;
 import pacman.game.GameRules;
@@ -139,8 +137,8 @@ public final class GameOptions {
             return GhostLocations.shipped();
         }
         Path file = ghostLocations;
-        try (Reader text = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
-            return GhostLocations.read(file.toString(), text);
+        try {
+            return GhostLocations.read(file.toString(), TextFiles.reader(file));
         } catch (IOException e) {
             throw FileErrors.unreadable("ghostLocations=" + file, e);
         } catch (IllegalArgumentException e) {

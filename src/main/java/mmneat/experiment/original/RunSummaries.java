@@ -11,9 +11,9 @@ import mmneat.evolution.Task;
 import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.DoubleText;
+import mmneat.experiment.store.OrdinaryFiles;
 import mmneat.experiment.store.RunFolder;
 import mmneat.experiment.store.RunLayout;
-import mmneat.experiment.store.SymbolicLinks;
 import mmneat.nsga2.Hypervolume;
 
 /**
@@ -60,7 +60,7 @@ public final class RunSummaries {
      * @throws java.io.UncheckedIOException if a summary cannot be written
      */
     public void write(List<Integer> runs) {
-        runs.forEach(run -> SymbolicLinks.refuseIn(folderOf(run).directory()));
+        runs.forEach(run -> OrdinaryFiles.requireIn(folderOf(run).directory()));
         writeHypervolumes(runs);
         writeAverages(runs, HYPERVOLUMES + ".txt");
         writeHypervolumePlots(runs);

@@ -1,7 +1,6 @@
 package mmneat.experiment.parameters;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.StandardCharsets;
@@ -16,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.TaskVersion;
 import org.jspecify.annotations.Nullable;
@@ -179,9 +179,6 @@ public final class ParameterReader {
                 && !parameters.catalogue().require(name).choices().contains(parameters.text(name));
     }
 
-    /** Maximum size in bytes of a parameter file; with all parameters it has 20 kB. */
-    private static final int MAX_FILE_BYTES = 1 << 20;
-
     /** Reads a parameter file: Java properties, or a file that the original saved. */
     private Map<String, String> file(String name, boolean forGames, List<String> remarks) {
         if (name.isEmpty()) {
@@ -228,15 +225,7 @@ public final class ParameterReader {
                 return packed.get();
             }
         }
-        // Not all at once: a device has no end.
-        try (InputStream in = Files.newInputStream(file)) {
-            byte[] bytes = in.readNBytes(MAX_FILE_BYTES + 1);
-            if (bytes.length > MAX_FILE_BYTES) {
-                throw new UserError(
-                        "is larger than " + (MAX_FILE_BYTES >> 20) + " MiB, so it is not a file of parameters");
-            }
-            return bytes;
-        }
+        return TextFiles.bytes(file, TextFiles.SETTINGS_MIB);
     }
 
     /** Decodes UTF-8 text, with or without a byte order mark. */

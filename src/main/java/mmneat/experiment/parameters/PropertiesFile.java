@@ -1,7 +1,6 @@
 package mmneat.experiment.parameters;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +10,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.PlainText;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 
 /**
@@ -34,7 +34,7 @@ public final class PropertiesFile {
      */
     public static Map<String, String> read(Path file) {
         try {
-            return read(Files.readString(file));
+            return read(TextFiles.text(file, TextFiles.SETTINGS_MIB));
         } catch (IOException e) {
             throw FileErrors.unreadable(file, e);
         } catch (UserError e) {

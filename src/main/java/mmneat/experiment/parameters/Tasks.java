@@ -1,12 +1,11 @@
 package mmneat.experiment.parameters;
 
 import java.io.IOException;
-import java.io.Reader;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Supplier;
 import mmneat.evolution.Task;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
@@ -58,9 +57,8 @@ public final class Tasks {
         if (file.isEmpty()) {
             return GhostLocations.shipped();
         }
-        Path path = Path.of(file);
-        try (Reader reader = Files.newBufferedReader(path)) {
-            return GhostLocations.read(file, reader);
+        try {
+            return GhostLocations.read(file, TextFiles.reader(Path.of(file)));
         } catch (IOException e) {
             throw FileErrors.unreadable(GHOST_LOCATIONS + "=" + file, e);
         } catch (IllegalArgumentException e) {

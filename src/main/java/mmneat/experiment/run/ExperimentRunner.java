@@ -26,10 +26,10 @@ import mmneat.experiment.parameters.Tasks;
 import mmneat.experiment.store.CheckpointFile;
 import mmneat.experiment.store.DurableFiles;
 import mmneat.experiment.store.GhostLocationsCopy;
+import mmneat.experiment.store.OrdinaryFiles;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunParametersFile;
 import mmneat.experiment.store.RunStatus;
-import mmneat.experiment.store.SymbolicLinks;
 import mmneat.mspacman.TaskVersion;
 
 /**
@@ -97,7 +97,7 @@ public final class ExperimentRunner {
     private static void requireContinuable(RunPlan run) {
         RunParametersFile file = new RunParametersFile(run.directory());
         try {
-            SymbolicLinks.refuseIn(run.directory());
+            OrdinaryFiles.requireIn(run.directory());
             new CheckpointFile(run.directory()).requireNoOrphanedRun();
             if (file.exists()) {
                 file.requireSame(run.parameters());

@@ -32,11 +32,11 @@ import mmneat.experiment.store.CheckpointFile;
 import mmneat.experiment.store.DurableFiles;
 import mmneat.experiment.store.GenerationTable;
 import mmneat.experiment.store.GhostLocationsCopy;
+import mmneat.experiment.store.OrdinaryFiles;
 import mmneat.experiment.store.RunFolder;
 import mmneat.experiment.store.RunLock;
 import mmneat.experiment.store.RunParametersFile;
 import mmneat.experiment.store.RunStatus;
-import mmneat.experiment.store.SymbolicLinks;
 import mmneat.neat.BadPartException;
 import org.jspecify.annotations.Nullable;
 
@@ -82,7 +82,7 @@ final class RunWorker {
 
     private RunOutcome outcome() {
         try {
-            SymbolicLinks.refuseIn(run.directory());
+            OrdinaryFiles.requireIn(run.directory());
             Optional<RunStatus> status = RunStatus.read(run.directory());
             if (status.isPresent() && run.isFinished(status.get())) {
                 return new RunOutcome(run, RunMonitor.Phase.ALREADY_FINISHED, status.get(), null, null);

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -61,7 +62,9 @@ public final class CheckpointCheck {
         for (Map.Entry<String, Long> log : checkpoint.logs().entrySet()) {
             requireLength(log.getKey(), log.getValue(), directory);
         }
-        if (checkpoint.evolution().generation() > 0) {
+        if (checkpoint.evolution().generation() == 0) {
+            requireNoLogs(checkpoint.logs());
+        } else {
             requireAllLogs(checkpoint.logs().keySet(), directory);
             requireLastRow(checkpoint, directory);
         }
@@ -92,6 +95,16 @@ public final class CheckpointCheck {
             throw new IllegalArgumentException(
                     log + " has " + present + " bytes, but the checkpoint was written when it had " + length);
         }
+    }
+
+    /** Checks that no log was begun before the checkpoint of generation 0 was written. */
+    private static void requireNoLogs(Map<String, Long> logs) {
+        new TreeMap<>(logs).forEach((log, length) -> {
+            if (length > 0) {
+                throw new IllegalArgumentException(
+                        "generation is 0, but " + log + " had " + length + " bytes when the checkpoint was written");
+            }
+        });
     }
 
     /** Checks that the table of generations ends, where the checkpoint was written, with the generation before it. */

@@ -123,7 +123,7 @@ public final class CheckpointFile {
         newestOutlivesTheMachine = false;
         damage = "";
         for (Path file : new Path[] {newest, previous}) {
-            SymbolicLinks.refuse(file);
+            OrdinaryFiles.require(file);
             try {
                 Checkpoint checkpoint = Checkpoint.fromJson(unpack(file, check.maximumBytes()));
                 check.require(checkpoint, directory);

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.Parameters;
 import mmneat.experiment.parameters.PublishedTask;
@@ -36,7 +37,7 @@ public final class GhostLocationsCopy {
                     file(directory),
                     asked.isEmpty()
                             ? GhostLocations.shippedText().getBytes(StandardCharsets.UTF_8)
-                            : Files.readAllBytes(Path.of(asked)));
+                            : TextFiles.bytes(Path.of(asked), TextFiles.TABLE_MIB));
         }
     }
 
@@ -53,7 +54,9 @@ public final class GhostLocationsCopy {
                 || !Files.exists(Path.of(asked))) {
             return;
         }
-        if (!Arrays.equals(Files.readAllBytes(Path.of(asked)), Files.readAllBytes(file(directory)))) {
+        if (!Arrays.equals(
+                TextFiles.bytes(Path.of(asked), TextFiles.TABLE_MIB),
+                TextFiles.bytes(file(directory), TextFiles.TABLE_MIB))) {
             throw new UserError(
                     directory + " was begun with other ghost locations than " + Tasks.GHOST_LOCATIONS + "=" + asked
                             + "; leave it out to continue with its own (" + RunLayout.GHOST_LOCATIONS

@@ -21,6 +21,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import mmneat.evolution.DaemonThreads;
+import mmneat.experiment.TextFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -127,7 +128,7 @@ public final class RunLock implements AutoCloseable {
     /** Reads the lock of a folder; empty if the folder is not locked. */
     static Optional<Sighting> look(Path directory) throws IOException {
         Path file = file(directory);
-        SymbolicLinks.refuse(file);
+        OrdinaryFiles.require(file);
         try {
             Instant signOfLife = Files.getLastModifiedTime(file).toInstant();
             return Optional.of(new Sighting(read(file), signOfLife));
@@ -246,7 +247,11 @@ public final class RunLock implements AutoCloseable {
 
     private static Optional<LockHolder> read(Path file) throws IOException {
         try {
-            Map<?, ?> fields = JSON.readValue(Files.readAllBytes(file), Map.class);
+            Map<?, ?> fields = JSON.readValue(TextFiles.bytes(file, TextFiles.SETTINGS_MIB), Map.class);
+            if (fields == null) {
+                // The JSON text "null".
+                return Optional.empty();
+            }
             return Optional.of(new LockHolder(
                     String.valueOf(fields.get("host")),
                     String.valueOf(fields.get("machine")),

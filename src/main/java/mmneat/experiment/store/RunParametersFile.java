@@ -61,7 +61,7 @@ public final class RunParametersFile {
      * @throws UserError if they cannot be read, or the run number is not a number
      */
     Map<String, String> read() {
-        SymbolicLinks.refuse(file);
+        OrdinaryFiles.require(file);
         Map<String, String> values = PropertiesFile.read(file);
         PropertiesFile.requireWholeNumber(file, values, "runNumber");
         return values;

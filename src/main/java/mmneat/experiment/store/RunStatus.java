@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Optional;
 import mmneat.experiment.PlainText;
+import mmneat.experiment.TextFiles;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -57,16 +58,22 @@ public record RunStatus(
     /**
      * Creates a status. Unprintable characters of the message become question marks: it may come from a file of another
      * person and is printed on terminals.
+     *
+     * @throws IllegalArgumentException if there is no state or a number of generations is negative
      */
     public RunStatus {
+        if (state == null || generation < 0 || generations < 0) {
+            throw new IllegalArgumentException("not the status of a run");
+        }
         message = message == null ? null : PlainText.shown(message);
     }
 
     /** Reads the status in a run's folder; empty if there is no readable status. */
     public static Optional<RunStatus> read(Path directory) throws IOException {
-        SymbolicLinks.refuse(file(directory));
+        OrdinaryFiles.require(file(directory));
         try {
-            return Optional.ofNullable(JSON.readValue(Files.readAllBytes(file(directory)), RunStatus.class));
+            byte[] json = TextFiles.bytes(file(directory), TextFiles.SETTINGS_MIB);
+            return Optional.ofNullable(JSON.readValue(json, RunStatus.class));
         } catch (NoSuchFileException | JsonProcessingException e) {
             // The run was not started, or the file is not ours. The run's checkpoint counts, not this file.
             return Optional.empty();

@@ -268,7 +268,7 @@ class ParameterReaderTest {
         assertMistake("cannot be read", "config=" + folder.resolve("none"));
         assertMistake("config=: must be the name of a file", "config=");
         Path large = Files.write(folder.resolve("large"), new byte[(1 << 20) + 1]);
-        assertMistake("large: is larger than 1 MiB, so it is not a file of parameters", "config=" + large);
+        assertMistake("large: cannot be read: it is larger than 1 MiB", "config=" + large);
     }
 
     @Test

@@ -10,6 +10,9 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.ServerSocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -79,6 +82,7 @@ class ForeignFolderTest {
                 edit("negative generation", c -> evolution(c).put("generation", -1)),
                 edit("generation that is null", c -> evolution(c).putNull("generation")),
                 edit("earlier generation", c -> evolution(c).put("generation", 1)),
+                edit("first generation", c -> evolution(c).put("generation", 0)),
                 edit("length that is a fraction", c -> logs(c).put("generations.csv", 1.5)),
                 edit("innovations about to overflow", c -> pool(c).put("nextInnovation", Long.MAX_VALUE)),
                 edit("genotype ids about to overflow", c -> pool(c).put("nextGenotypeId", Long.MAX_VALUE)),
@@ -244,6 +248,24 @@ class ForeignFolderTest {
         Files.createSymbolicLink(link, base.resolve("absent"));
         requireRefused("is a symbolic link");
         assertThat(base.resolve("absent")).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"status.json", "lock.json", "parameters.properties", "checkpoint.json.gz", "generations.csv"})
+    void socketsInTheFolder_areRefused_asPipesAndDevicesAre(String name) throws Exception {
+        Path socket = folder.resolve(name);
+        delete(socket);
+        try (ServerSocketChannel channel = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
+            channel.bind(UnixDomainSocketAddress.of(socket));
+            String message = "";
+            try {
+                message = String.valueOf(run(3).message());
+            } catch (UserError e) {
+                message = String.valueOf(e.getMessage());
+            }
+            assertThat(message).contains(name + ": is a pipe, socket or device").doesNotContain("\n");
+        }
     }
 
     @Test
