@@ -48,12 +48,14 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
                 .map(TaskVersion::label)
                 .orElseGet(() -> simpleName(parameters.text("task")));
         String method = methodLabel(parameters);
-        String base = parameters.isGiven("base") ? parameters.text("base") : "results/" + task;
+        String base = named("base", parameters).orElse("results/" + task);
         FolderPlace.requireNoFile("base", Path.of(base));
-        String saveTo = parameters.isGiven("saveTo") ? parameters.text("saveTo") : method;
+        Optional<String> ownName = named("saveTo", parameters);
+        ownName.ifPresent(ExperimentPlan::requireInBase);
+        String saveTo = ownName.orElse(method);
         // Experiments that differ in the names of their runs must not share the files of all runs.
-        String label = parameters.isGiven("saveTo") ? label(saveTo) : method;
-        String log = parameters.isGiven("log") ? parameters.text("log") : task + "-" + label;
+        String label = ownName.map(ExperimentPlan::label).orElse(method);
+        String log = named("log", parameters).orElse(task + "-" + label);
         requireNames(saveTo, log, numbers.get(numbers.size() - 1), parameters);
         Parameters placed = parameters.with("base", base).with("saveTo", saveTo).with("log", log);
         List<RunPlan> runs = numbers.stream()
@@ -65,6 +67,24 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
                                 .with("randomSeed", oneSeed ? parameters.text("randomSeed") : number)))
                 .toList();
         return new ExperimentPlan(placed, log, Path.of(base), runs);
+    }
+
+    /** The value of a parameter that names a folder or files; empty if the program chooses the name. */
+    private static Optional<String> named(String name, Parameters parameters) {
+        return Optional.of(parameters.text(name)).filter(text -> parameters.isGiven(name) && !text.isEmpty());
+    }
+
+    /** Checks that the folders of runs lie in the base folder, also if a file of another person names them. */
+    private static void requireInBase(String saveTo) {
+        List<String> parts = List.of(saveTo.split("[/\\\\]", -1));
+        if (saveTo.matches("[/\\\\].*|[A-Za-z]:.*") || parts.contains("..")) {
+            throw new UserError("saveTo=" + saveTo + ": the folders of runs stay inside base=; name them without .. and"
+                    + " without a path from the root");
+        }
+        if (parts.get(parts.size() - 1).startsWith(".")) {
+            throw new UserError("saveTo=" + saveTo + ": the folders of runs would be hidden; give a name that does not"
+                    + " begin with a dot");
+        }
     }
 
     /** The part of file names that stands for a folder's name: a backslash separates folders on Windows only. */
@@ -82,8 +102,9 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
         boolean isTooLong = bytes(log + lastRun + "_") + ending > LONGEST_NAME
                 || Stream.of((saveTo + lastRun).split("[/\\\\]")).anyMatch(part -> bytes(part) > LONGEST_NAME);
         if (isTooLong) {
-            String name =
-                    parameters.isGiven("log") || !parameters.isGiven("saveTo") ? "log=" + log : "saveTo=" + saveTo;
+            boolean isByFolder = named("log", parameters).isEmpty()
+                    && named("saveTo", parameters).isPresent();
+            String name = isByFolder ? "saveTo=" + saveTo : "log=" + log;
             throw new UserError(name + ": too long, the names of the run's files would have more than " + LONGEST_NAME
                     + " bytes; give a shorter name");
         }

@@ -91,8 +91,24 @@ public final class RunParametersFile {
         }
         if (!differing.isEmpty()) {
             throw new UserError(directory + " was begun with " + String.join(", ", differing)
-                    + "; give the same to continue it, or another folder with base=FOLDER");
+                    + sameName(saved, asked)
+                            .orElse("; give the same to continue it, or another folder with base=FOLDER"));
         }
+    }
+
+    /**
+     * The reason why runs with different numbers have one folder: the name before the number ends in a digit, as that
+     * of a hybrid does. Empty if the numbers are equal.
+     */
+    private static Optional<String> sameName(Map<String, String> saved, Map<String, String> asked) {
+        String number = saved.get("runNumber");
+        String nameNow = asked.get("saveTo");
+        if (number == null || nameNow == null || number.equals(asked.get("runNumber"))) {
+            return Optional.empty();
+        }
+        return Optional.of("; run " + number + " of " + saved.getOrDefault("saveTo", "another experiment") + " and run "
+                + asked.get("runNumber") + " of " + nameNow + " would have the same folder; give saveTo=" + nameNow
+                + "-");
     }
 
     /**

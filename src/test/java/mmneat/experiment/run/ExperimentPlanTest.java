@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -93,6 +94,49 @@ class ExperimentPlanTest {
         // On Windows both mean the same folder.
         boolean isOneFolder = File.separatorChar == '\\';
         assertThat(plan("task=blended", "saveTo=a\\b").name()).isEqualTo(isOneFolder ? "blended-a-b" : "blended-a_b");
+    }
+
+    @Test
+    void emptyNames_areThoseThatTheProgramChooses() {
+        ExperimentPlan plan = plan("task=blended", "base=", "saveTo=", "log=");
+        assertThat(plan.base()).isEqualTo(Path.of("results", "blended"));
+        assertThat(plan.name()).isEqualTo("blended-2M");
+        assertThat(plan.runs().get(0).directory()).isEqualTo(Path.of("results", "blended", "2M0"));
+        assertThat(plan.runs().get(0).prefix()).isEqualTo("blended-2M0_");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "..",
+                "../",
+                "../../ev3/",
+                "a/../../b",
+                "..\\x",
+                "/tmp/x",
+                "/",
+                "\\x",
+                "C:\\x",
+                "c:x",
+                "a/..",
+                ".",
+                "a/.",
+                ".x"
+            })
+    void foldersOutsideOfBase_orHidden_areRefused(String saveTo, @TempDir Path folder) throws IOException {
+        assertThatThrownBy(() -> plan("task=blended", "saveTo=" + saveTo))
+                .isInstanceOf(UserError.class)
+                .hasMessageStartingWith("saveTo=" + saveTo + ": the folders of runs ");
+        Path file =
+                Files.writeString(folder.resolve("stranger.properties"), "task=blended\nsaveTo=" + saveTo + "/a/..");
+        assertThatThrownBy(() -> plan("config=" + file)).hasMessageContaining(": the folders of runs ");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a/b", "a/", "a..b", "a/./b", "x-", ".a/b", "2M.", "a.b/c..d"})
+    void foldersInBase_areAllowed(String saveTo) {
+        assertThat(plan("task=blended", "saveTo=" + saveTo).runs().get(0).directory())
+                .isEqualTo(Path.of("results", "blended", saveTo + "0"));
     }
 
     @Test

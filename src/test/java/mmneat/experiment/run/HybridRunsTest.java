@@ -26,6 +26,7 @@ import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
 import mmneat.experiment.parameters.Parameters;
 import mmneat.experiment.parameters.PublishedTask;
+import mmneat.experiment.store.RunParametersFile;
 import mmneat.mspacman.modules.ModuleDivision;
 import mmneat.mspacman.sensors.Observation;
 import mmneat.neat.Genotype;
@@ -273,6 +274,29 @@ class HybridRunsTest {
                         .parts())
                 .extracting(part -> part.plan().name())
                 .containsExactly("blended-H21");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"H11, 10, H111, 0", "H111, 0, H11, 10", "H21, 11, H211, 1"})
+    void runsOfTwoHybridsWithOneFolder_areToldApart(String first, int firstRun, String second, int secondRun)
+            throws Exception {
+        String base = "base=" + folder;
+        RunPlan begun = ExperimentPlan.of(parameters("task=blended", "method=" + first, "run=" + firstRun, base))
+                .runs()
+                .get(0);
+        new RunParametersFile(Files.createDirectories(begun.directory())).write(begun.parameters());
+        String[] words = {"task=blended", "method=" + second, "run=" + secondRun, base};
+        RunPlan other = ExperimentPlan.of(parameters(words)).runs().get(0);
+        assertThat(other.directory()).isEqualTo(begun.directory());
+        assertThatThrownBy(() -> new RunParametersFile(other.directory()).requireSame(other.parameters()))
+                .isInstanceOf(UserError.class)
+                .hasMessageEndingWith("; run %s of %s and run %s of %s would have the same folder; give saveTo=%s-"
+                        .formatted(firstRun, first, secondRun, second, second));
+        RunPlan renamed = ExperimentPlan.of(
+                        parameters(("saveTo=" + second + "- " + String.join(" ", words)).split(" ")))
+                .runs()
+                .get(0);
+        assertThat(renamed.directory()).isEqualTo(folder.resolve(second + "-" + secondRun));
     }
 
     @ParameterizedTest
