@@ -173,6 +173,11 @@ class PlayCommandTest extends CommandTest {
         assertMistake("there is no controller 'Starter'", "play", "pacman=Starter");
         assertMistake("must return moves for Ms. Pac-Man", "play", "pacman=Legacy");
         assertMistake("games=0: must be a whole number, at least 1", "play", "games=0");
+        assertMistake("games=99999999999: must be a whole number from 1 to 2147483647", "play", "games=99999999999");
+        assertMistake(
+                "seed=99999999999999999999: must be a whole number from -9223372036854775808 to 9223372036854775807",
+                "play",
+                "seed=99999999999999999999");
         assertMistake("rules=hard: must be one of", "play", "rules=hard");
         assertMistake("maze=none.txt: cannot be read: there is no such file", "play", "maze=none.txt");
         assertMistake(

@@ -1,6 +1,7 @@
 package mmneat.cli.options;
 
 import java.lang.reflect.AnnotatedElement;
+import java.math.BigInteger;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
@@ -118,6 +119,16 @@ public final class OptionValues {
         }
         if (type == Path.class) {
             return "the name of a file or folder";
+        }
+        String number = digits(text);
+        if (number.matches("[+-]?\\d+")) {
+            boolean isInt = type == Integer.class || type == int.class;
+            long smallest = range(option).map(Range::min).orElse(isInt ? Integer.MIN_VALUE : Long.MIN_VALUE);
+            long largest = range(option).map(Range::max).orElse(isInt ? Integer.MAX_VALUE : Long.MAX_VALUE);
+            if (new BigInteger(number).compareTo(BigInteger.valueOf(largest)) > 0
+                    || range(option).isEmpty()) {
+                return "a whole number from " + smallest + " to " + largest;
+            }
         }
         return range(option).map(OptionValues::inWords).orElse("a whole number");
     }

@@ -112,6 +112,15 @@ record AllowedValues(double minimum, double maximum, List<String> choices, Exten
         return type.description() + " from " + number(type, minimum) + " to " + number(type, maximum);
     }
 
+    /** As {@link #describe(ParameterType)}, with both limits if the text is a whole number beyond those of the type. */
+    String describe(ParameterType type, String text) {
+        if (!type.isTooLarge(text)) {
+            return describe(type);
+        }
+        return type.description() + " from " + number(type, Math.max(minimum, type.smallest())) + " to "
+                + number(type, Math.min(maximum, type.largest()));
+    }
+
     private static String number(ParameterType type, double value) {
         return type == ParameterType.DOUBLE ? Double.toString(value) : Long.toString((long) value);
     }

@@ -125,7 +125,7 @@ public record Parameter(
     UserError badValue(String text) {
         return new UserError(OriginalCounterparts.ofParameter(name, text)
                 .map(counterpart -> name + "=" + text + ": not supported; " + counterpart)
-                .orElse(name + "=" + text + ": must be " + allowedInWords()
+                .orElse(name + "=" + text + ": must be " + allowed.describe(type, text)
                         + NearestName.suggestion(text, allowed.choices())));
     }
 }

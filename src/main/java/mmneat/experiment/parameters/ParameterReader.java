@@ -73,7 +73,14 @@ public final class ParameterReader {
         asked.putAll(commandLine);
         Parameters preset =
                 Parameters.defaults(catalogue).with(preset(asked.getOrDefault("task", ""), asked.get("method")));
-        requireNoContradiction(commandLine, Parameters.defaults(catalogue).with(file), preset);
+        Parameters named = Parameters.defaults(catalogue).with(file);
+        requireNoContradiction(commandLine, named, preset);
+        for (String name : List.of("task", "method")) {
+            if (named.isGiven(name) && isOther(name, commandLine, named)) {
+                remarks.add(name + "=" + named.text(name) + " in config=" + commandLine.get("config")
+                        + " is overridden by " + name + "=" + commandLine.get(name));
+            }
+        }
         Parameters parameters = preset.with(asked);
         Optional<TaskVersion> version = PublishedTask.version(parameters);
         new NamedCode(parameters, commandLine).requireAllowed(version.isPresent(), forGames);

@@ -46,6 +46,25 @@ public enum ParameterType {
         };
     }
 
+    /** Whether a text is a whole number, but too small or too large for this type. */
+    boolean isTooLarge(String text) {
+        if (!(this == INTEGER || this == LONG) || !text.matches("[+-]?\\d+")) {
+            return false;
+        }
+        double value = Double.parseDouble(text);
+        return value < smallest() || value > largest();
+    }
+
+    /** The smallest value of a type of whole numbers. */
+    long smallest() {
+        return this == INTEGER ? Integer.MIN_VALUE : Long.MIN_VALUE;
+    }
+
+    /** The largest value of a type of whole numbers. */
+    long largest() {
+        return this == INTEGER ? Integer.MAX_VALUE : Long.MAX_VALUE;
+    }
+
     private static String canonicalBoolean(String text) {
         String lower = text.strip().toLowerCase(Locale.ROOT);
         if (!lower.equals("true") && !lower.equals("false")) {

@@ -135,6 +135,42 @@ class ParameterReaderTest {
     }
 
     @Test
+    void taskOrMethodOfTheFile_overriddenByTheCommandLine_isRemarked(@TempDir Path folder) throws IOException {
+        Path file = Files.writeString(folder.resolve("mine.properties"), "task=blended\nmethod=mmd\nmu=20\n");
+        String config = "config=" + file;
+        ParameterReader.Result read = reader.read(List.of(config, "task=interleaved", "method=2m"));
+        assertThat(read.parameters().text("method")).isEqualTo("2M");
+        assertThat(read.parameters().text("task")).isEqualTo("interleaved");
+        assertThat(read.parameters().integer("startingModes")).isEqualTo(2);
+        assertThat(read.remarks())
+                .containsExactly(
+                        "task=blended in " + config + " is overridden by task=interleaved",
+                        "method=MMD in " + config + " is overridden by method=2M");
+        assertThat(reader.read(List.of(config, "method=H21")).remarks())
+                .containsExactly("method=MMD in " + config + " is overridden by method=H21");
+        assertThat(reader.read(List.of(config, "task=blended", "method=MMD")).remarks())
+                .isEmpty();
+        assertThat(reader.read(List.of(config, "mu=10")).remarks()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "trials=1000000000 | trials=1000000000: must be a whole number from 1 to 100000",
+                "maxGens=2147483647 | maxGens=2147483647: must be a whole number from 0 to 100000000",
+                "runs=99999999999 | runs=99999999999: must be a whole number from 1 to 100000",
+                "run=99999999999 | run=99999999999: must be a whole number from 0 to 2147483647",
+                "run=-99999999999 | run=-99999999999: must be a whole number from 0 to 2147483647",
+                "randomSeed=99999999999 | must be a whole number from -2147483648 to 2147483647",
+                "run=-1 | run=-1: must be a whole number, at least 0",
+                "run=x | run=x: must be a whole number, at least 0",
+            })
+    void numberThatIsTooLarge_isToldItsLimits(String word, String message) {
+        assertMistake(message, "task=blended", word);
+    }
+
+    @Test
     void eachPublishedFile_isItsExperiment() {
         for (TaskVersion version : TaskVersion.values()) {
             String task = version.label();
