@@ -71,7 +71,7 @@ class ArchitectureTest {
                     "mmneat.neat..",
                     "mmneat.random",
                     "pacman.."),
-            uses("mmneat.experiment"),
+            uses("mmneat.experiment", "mmneat.neat"),
             uses(
                     "mmneat.experiment.parameters",
                     "mmneat.experiment",
@@ -114,7 +114,13 @@ class ArchitectureTest {
                     "mmneat.neat..",
                     "mmneat.random",
                     "pacman.."),
-            uses("mmneat.contest..", "mmneat.contest..", "mmneat.experiment", "mmneat.random", "pacman.."),
+            uses(
+                    "mmneat.contest..",
+                    "mmneat.contest..",
+                    "mmneat.experiment",
+                    "mmneat.neat",
+                    "mmneat.random",
+                    "pacman.."),
             uses(
                     "mmneat.cli.options",
                     "mmneat.analysis..",

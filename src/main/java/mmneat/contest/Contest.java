@@ -1,7 +1,6 @@
 package mmneat.contest;
 
 import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -12,6 +11,7 @@ import java.util.stream.Collectors;
 import mmneat.contest.ContestResult.Repetition;
 import mmneat.contest.GamePlay.Outcome;
 import mmneat.experiment.PlainText;
+import mmneat.neat.Thrown;
 import pacman.GameSeries;
 import pacman.game.Game;
 
@@ -110,14 +110,8 @@ public final class Contest {
 
     /** Returns the stack trace without this program's frames that lead to the controller. */
     private static String trace(Throwable thrown) {
-        StringWriter text = new StringWriter();
-        try {
-            thrown.printStackTrace(new PrintWriter(text, true));
-        } catch (RuntimeException | Error e) {
-            // The exception's own methods fail: its name must do.
-            return PlainText.shown(thrown);
-        }
-        return text.toString()
+        return new Thrown(thrown)
+                .trace()
                 .lines()
                 .filter(line -> !OUR_FRAME.matcher(line).find())
                 .limit(TRACE_LINES)

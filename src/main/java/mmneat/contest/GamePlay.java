@@ -75,7 +75,8 @@ final class GamePlay {
         } catch (OutOfMemoryError failure) {
             reserve = null;
             return failed(game, number, failure);
-        } catch (RuntimeException | Error failure) {
+        } catch (Throwable failure) {
+            // An entry may throw anything, also checked exceptions that no method declares.
             return failed(game, number, failure);
         } finally {
             stall.watch(null);
@@ -112,23 +113,41 @@ final class GamePlay {
         }
     }
 
+    /**
+     * The end of a game that another thread plays.
+     *
+     * @param report of a timed game
+     * @param failure what ended the game early. It is not the future's exception, because the future would call its
+     *     methods, which may fail
+     */
+    private record End(
+            Optional<TimedReport> report, @Nullable Throwable failure) {}
+
     /*
      * A separate thread plays the game, because Java cannot stop a thread that does not cooperate. A controller that
      * never answers is interrupted, and its thread is abandoned.
      */
-    private Optional<TimedReport> playLimited(Game game, Consumer<Game> afterStep) {
-        CompletableFuture<Optional<TimedReport>> end = new CompletableFuture<>();
+    private Optional<TimedReport> playLimited(Game game, Consumer<Game> afterStep) throws Throwable {
+        CompletableFuture<End> end = new CompletableFuture<>();
         Thread player = new Thread(
                 () -> {
                     try {
-                        end.complete(playToTheEnd(game, afterStep));
+                        end.complete(new End(playToTheEnd(game, afterStep), null));
                     } catch (Throwable failure) {
-                        end.completeExceptionally(failure);
+                        end.complete(new End(Optional.empty(), failure));
                     }
                 },
                 "game");
         player.setDaemon(true);
         player.start();
+        End reached = await(end, player, game);
+        if (reached.failure() != null) {
+            throw reached.failure();
+        }
+        return reached.report();
+    }
+
+    private End await(CompletableFuture<End> end, Thread player, Game game) throws ExecutionException {
         long limit = moveLimit().toNanos();
         long look = Math.max(1, Math.min(LONGEST_LOOK_MILLISECONDS, moveLimit().toMillis() / 10));
         int time = -1;
@@ -147,8 +166,6 @@ final class GamePlay {
                     player.interrupt();
                     throw new NoAnswer(asked);
                 }
-            } catch (ExecutionException e) {
-                throw unchecked(Objects.requireNonNull(e.getCause()));
             } catch (InterruptedException e) {
                 player.interrupt();
                 Thread.currentThread().interrupt();

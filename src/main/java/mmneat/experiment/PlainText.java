@@ -1,6 +1,8 @@
 package mmneat.experiment;
 
 import java.util.stream.IntStream;
+import mmneat.neat.OneLine;
+import mmneat.neat.Thrown;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,7 +21,7 @@ public final class PlainText {
      */
     public static void require(String what, String text) {
         IntStream.range(0, text.length())
-                .filter(i -> !isPlain(text, i))
+                .filter(i -> !OneLine.isPlain(text, i))
                 .findFirst()
                 .ifPresent(i -> {
                     throw new UserError(String.format(
@@ -35,11 +37,7 @@ public final class PlainText {
 
     /** Returns the text on one line, with a question mark for each character that is neither printable nor a tab. */
     public static String shown(String text) {
-        StringBuilder shown = new StringBuilder(text);
-        IntStream.range(0, text.length())
-                .filter(i -> !isPlain(text, i) && text.charAt(i) != '\t')
-                .forEach(i -> shown.setCharAt(i, '?'));
-        return shown.toString();
+        return OneLine.of(text);
     }
 
     /**
@@ -48,22 +46,6 @@ public final class PlainText {
      * is the name of the class alone.
      */
     public static String shown(@Nullable Throwable thrown) {
-        if (thrown == null) {
-            return "null";
-        }
-        try {
-            return shown(String.valueOf(thrown.toString()));
-        } catch (RuntimeException | Error e) {
-            return shown(thrown.getClass().getName());
-        }
-    }
-
-    /** Some readers treat line and paragraph separators as line ends. */
-    private static boolean isPlain(String text, int i) {
-        char c = text.charAt(i);
-        boolean isHalf = Character.isHighSurrogate(c)
-                ? i + 1 == text.length() || !Character.isLowSurrogate(text.charAt(i + 1))
-                : Character.isLowSurrogate(c) && (i == 0 || !Character.isHighSurrogate(text.charAt(i - 1)));
-        return !isHalf && !Character.isISOControl(c) && c != '\u2028' && c != '\u2029';
+        return thrown == null ? "null" : new Thrown(thrown).line();
     }
 }

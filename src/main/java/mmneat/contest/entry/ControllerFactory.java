@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import mmneat.contest.entry.ArgumentValues.Argument;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
+import mmneat.neat.Thrown;
 import pacman.controllers.Controller;
 
 /**
@@ -125,19 +126,27 @@ public final class ControllerFactory<T> {
                             + MissingMember.explanation(e.getCause()),
                     e);
         } catch (InstantiationException | IllegalAccessException e) {
-            throw new UserError(type.getName() + " cannot be constructed: " + e, e);
+            throw new UserError(type.getName() + " cannot be constructed: " + PlainText.shown(e), e);
         } catch (ExceptionInInitializerError e) {
             throw new UserError(
                     "the static initialiser of " + type.getName() + " threw " + PlainText.shown(e.getCause()), e);
         } catch (LinkageError e) {
             throw unusable(e);
+        } catch (UserError e) {
+            throw e;
+        } catch (Throwable e) {
+            if (new Thrown(e).isOfTheMachine()) {
+                throw e;
+            }
+            // An Error that a static initialiser throws arrives unwrapped.
+            throw new UserError("the static initialiser of " + type.getName() + " threw " + PlainText.shown(e), e);
         } finally {
             thread.setContextClassLoader(before);
         }
     }
 
     private UserError unusable(LinkageError e) {
-        return new UserError(type.getName() + " cannot be used: " + e + missing(e), e);
+        return new UserError(type.getName() + " cannot be used: " + PlainText.shown(e) + missing(e), e);
     }
 
     /** Returns advice about a class or member that an entry needs and that is missing. */

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 import mmneat.experiment.NearestName;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import pacman.controllers.Controller;
 import pacman.game.Constants.GHOST;
@@ -142,7 +143,7 @@ public final class ControllerLoader {
                             + Runtime.version().feature(),
                     e);
         } catch (LinkageError e) {
-            throw new UserError(name + " cannot be loaded: " + e + ControllerFactory.missing(e), e);
+            throw new UserError(name + " cannot be loaded: " + PlainText.shown(e) + ControllerFactory.missing(e), e);
         }
     }
 

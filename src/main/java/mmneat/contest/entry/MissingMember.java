@@ -1,5 +1,6 @@
 package mmneat.contest.entry;
 
+import mmneat.neat.Thrown;
 import org.jspecify.annotations.Nullable;
 
 /** Explains errors of entries that use classes or members of another version of the simulator. */
@@ -12,7 +13,10 @@ public final class MissingMember {
      * contains, never had the class, method or field that an entry uses. Empty if the failure has another cause.
      */
     public static String explanation(@Nullable Throwable failure) {
-        for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
+        if (failure == null) {
+            return "";
+        }
+        for (Throwable cause : new Thrown(failure).causes()) {
             if (isOfTheSimulator(cause)) {
                 return "; release 6.2 of the competition has no such "
                         + (cause instanceof NoClassDefFoundError ? "class" : "member")
@@ -23,11 +27,7 @@ public final class MissingMember {
     }
 
     private static boolean isOfTheSimulator(Throwable cause) {
-        if (!(cause instanceof LinkageError)) {
-            // The message of an exception of the entry's own class is its code, which may fail.
-            return false;
-        }
-        String missing = String.valueOf(cause.getMessage()).replace('/', '.');
+        String missing = new Thrown(cause).message().replace('/', '.');
         if (cause instanceof NoClassDefFoundError) {
             return missing.startsWith("pacman.") && !missing.startsWith("pacman.entries.");
         }
