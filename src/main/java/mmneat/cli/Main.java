@@ -27,6 +27,7 @@ import mmneat.experiment.NearestName;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.neat.BadPartException;
+import mmneat.neat.Thrown;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -221,7 +222,7 @@ public final class Main implements Callable<Integer> {
         if (mistake.isPresent()) {
             errors.println("mmneat: " + PlainText.shown(mistake.get()));
         } else {
-            failure.printStackTrace(errors);
+            errors.print(new Thrown(failure).trace());
         }
         errors.flush();
         return mistake.isPresent() ? ExitCode.USAGE : ExitCode.SOFTWARE;

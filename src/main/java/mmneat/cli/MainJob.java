@@ -24,6 +24,7 @@ import mmneat.experiment.run.ExperimentRunner;
 import mmneat.experiment.run.RunMonitor;
 import mmneat.experiment.run.RunOutcome;
 import mmneat.experiment.store.RunLayout;
+import mmneat.neat.Thrown;
 import pacman.game.MachineFonts;
 import picocli.CommandLine.ExitCode;
 
@@ -158,7 +159,7 @@ final class MainJob implements Callable<Integer> {
             errors.println("mmneat: run " + outcome.run().number() + ": " + outcome.message());
         }
         if (outcome.failure() != null) {
-            outcome.failure().printStackTrace(errors);
+            errors.print(new Thrown(outcome.failure()).trace());
         }
         errors.flush();
     }

@@ -2,6 +2,7 @@ package mmneat.evolution;
 
 import java.util.Objects;
 import mmneat.neat.BadPartException;
+import mmneat.neat.Thrown;
 
 /**
  * Thrown when a task throws an exception during an evaluation. The message says which genotype, when, and what the task
@@ -19,7 +20,7 @@ public final class FailedEvaluationException extends IllegalStateException {
         if (cause instanceof FailedEvaluationException) {
             return ", " + cause.getMessage();
         }
-        return ": " + (cause instanceof BadPartException ? cause.getMessage() : cause);
+        return ": " + (cause instanceof BadPartException ? cause.getMessage() : new Thrown(cause).line());
     }
 
     /** Returns what the task threw. */

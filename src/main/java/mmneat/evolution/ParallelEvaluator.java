@@ -11,6 +11,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import mmneat.neat.BadPartException;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 
@@ -43,7 +44,7 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
         this.threads = Executors.newFixedThreadPool(threadCount, DaemonThreads.named("evaluation"));
         this.idleTasks = new ArrayBlockingQueue<>(threadCount);
         for (int i = 0; i < threadCount; i++) {
-            idleTasks.add(tasks.get());
+            idleTasks.add(CheckedTask.of(tasks.get()));
         }
     }
 
@@ -77,6 +78,12 @@ public final class ParallelEvaluator implements Evaluator, AutoCloseable {
             }
             if (e.getCause() instanceof FailedEvaluationException failed) {
                 throw failed;
+            }
+            if (e.getCause() instanceof BadPartException bad) {
+                throw bad;
+            }
+            if (e.getCause() instanceof Error error) {
+                throw error;
             }
             throw new IllegalStateException("an evaluation failed in generation " + generation, e.getCause());
         } finally {

@@ -6,6 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import mmneat.neat.Genotype;
+import mmneat.neat.Thrown;
 import mmneat.random.ResumableRandom;
 
 /** Evaluates one individual after the other with the run's generator, exactly as the original does. */
@@ -20,7 +21,7 @@ public final class SequentialEvaluator implements Evaluator {
     }
 
     SequentialEvaluator(Task task, LongSupplier nanoTime) {
-        this.task = task;
+        this.task = CheckedTask.of(task);
         this.nanoTime = nanoTime;
     }
 
@@ -52,12 +53,7 @@ public final class SequentialEvaluator implements Evaluator {
         long nanoseconds = nanoTime.getAsLong() - start;
         requireScores(genotype, generation, "objective", evaluation.objectives(), task.objectiveNames());
         requireScores(genotype, generation, "other score", evaluation.otherScores(), task.otherScoreNames());
-        if (evaluation.moduleUsage().length != genotype.modules()) {
-            // A wrong length could let module mutation add a module.
-            throw new BadEvaluationException(whose(genotype, generation) + " has " + genotype.modules()
-                    + " modules, but the task gave the usage of " + evaluation.moduleUsage().length
-                    + "; it must give one number for each module");
-        }
+        requireUsage(genotype, generation, evaluation.moduleUsage());
         return Individual.of(genotype, evaluation, nanoseconds);
     }
 
@@ -75,8 +71,26 @@ public final class SequentialEvaluator implements Evaluator {
             return evaluation;
         } catch (CancellationException | BadEvaluationException e) {
             throw e;
-        } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
+        } catch (Throwable e) {
+            if (new Thrown(e).isOfTheMachine()) {
+                throw e;
+            }
             throw new FailedEvaluationException(whose(genotype, generation), e);
+        }
+    }
+
+    /** Checks that there is one count per module, none negative. A wrong length could let mutation add a module. */
+    private static void requireUsage(Genotype genotype, int generation, int[] usage) {
+        if (usage.length != genotype.modules()) {
+            throw new BadEvaluationException(whose(genotype, generation) + " has " + genotype.modules()
+                    + " modules, but the task gave the usage of " + usage.length
+                    + "; it must give one number for each module");
+        }
+        for (int module = 0; module < usage.length; module++) {
+            if (usage[module] < 0) {
+                throw new BadEvaluationException(whose(genotype, generation) + ": the task gave the usage "
+                        + usage[module] + " of module " + module + "; it must be at least 0");
+            }
         }
     }
 

@@ -146,7 +146,10 @@ public final class ActivationFunction {
         double activation;
         try {
             activation = own.of(sum);
-        } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
+        } catch (Throwable e) {
+            if (new Thrown(e).isOfTheMachine()) {
+                throw e;
+            }
             throw new BadPartException(described(), e);
         }
         if (!Double.isFinite(activation)) {

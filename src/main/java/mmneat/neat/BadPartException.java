@@ -11,26 +11,20 @@ public final class BadPartException extends IllegalStateException {
 
     /** @param part the kind of part and its class, for example {@code "activation function my.Sine"} */
     public BadPartException(String part, String problem) {
-        super(part + ": " + problem);
+        super(OneLine.of(part + ": " + problem));
     }
 
     /** The part threw an exception; the message says where. */
     public BadPartException(String part, Throwable thrown) {
-        super(part + ": threw " + thrown + place(thrown), thrown);
-    }
-
-    private static String place(Throwable thrown) {
-        StackTraceElement[] trace = thrown.getStackTrace();
-        return trace.length == 0 ? "" : " at " + trace[0];
+        super(OneLine.of(part) + ": threw " + new Thrown(thrown).line() + new Thrown(thrown).place(), thrown);
     }
 
     /** Returns the exception of this type among a failure and its causes; empty if there is none. */
     public static Optional<BadPartException> in(Throwable failure) {
-        for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
-            if (cause instanceof BadPartException bad) {
-                return Optional.of(bad);
-            }
-        }
-        return Optional.empty();
+        return new Thrown(failure)
+                .causes().stream()
+                        .filter(BadPartException.class::isInstance)
+                        .map(BadPartException.class::cast)
+                        .findFirst();
     }
 }

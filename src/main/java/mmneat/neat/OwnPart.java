@@ -20,14 +20,18 @@ public record OwnPart(String description) {
     /**
      * Calls a method of the part.
      *
-     * @throws BadPartException if the call throws an exception
+     * @throws BadPartException if the call throws anything, checked exceptions included; errors of the Java virtual
+     *     machine, such as exhausted memory, pass
      */
     public <T extends @Nullable Object> T call(Supplier<T> method) {
         try {
             return method.get();
         } catch (BadPartException e) {
             throw e;
-        } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
+        } catch (Throwable e) {
+            if (new Thrown(e).isOfTheMachine()) {
+                throw e;
+            }
             throw new BadPartException(description, e);
         }
     }

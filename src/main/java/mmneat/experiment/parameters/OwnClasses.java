@@ -8,10 +8,13 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
+import mmneat.neat.Thrown;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -102,7 +105,7 @@ final class OwnClasses {
             throw new UserError(
                     asked + ": the class must " + (type.isInterface() ? "implement " : "extend ") + type.getName(), e);
         } catch (LinkageError e) {
-            throw new UserError(asked + ": the class cannot be loaded: " + e, e);
+            throw new UserError(asked + ": the class cannot be loaded: " + PlainText.shown(e), e);
         }
     }
 
@@ -116,8 +119,11 @@ final class OwnClasses {
         T answer;
         try {
             answer = method.get();
-        } catch (RuntimeException | StackOverflowError | LinkageError | AssertionError e) {
-            throw new UserError(asked + " threw " + e, e);
+        } catch (Throwable e) {
+            if (new Thrown(e).isOfTheMachine()) {
+                throw e;
+            }
+            throw new UserError(asked + " threw " + PlainText.shown(e), e);
         }
         if (answer == null) {
             throw new UserError(asked + " must not be null");
@@ -137,16 +143,40 @@ final class OwnClasses {
         String asked = parameter + "=" + className;
         Class<? extends T> found = find(parameter, className, type);
         requirePublic(asked, found);
+        return created(asked, "without arguments", () -> found.getConstructor().newInstance());
+    }
+
+    /** The call of a constructor by reflection. */
+    interface Construction<T> {
+        T make() throws ReflectiveOperationException;
+    }
+
+    /**
+     * Creates an object of a class of the user's own.
+     *
+     * @param asked the parameter and the class, for messages
+     * @param arguments the arguments that the constructor must have, for messages
+     * @throws UserError if there is no such constructor, or it or a static initialiser throws
+     */
+    static <T> T created(String asked, String arguments, Construction<T> construction) {
         try {
-            return found.getConstructor().newInstance();
-        } catch (InvocationTargetException e) {
-            throw new UserError(asked + ": cannot be created: " + e.getCause(), e);
-        } catch (LinkageError e) {
-            throw new UserError(asked + ": cannot be created: " + (e.getCause() == null ? e : e.getCause()), e);
+            return construction.make();
+        } catch (InvocationTargetException | ExceptionInInitializerError e) {
+            throw notCreated(asked, Objects.requireNonNullElse(e.getCause(), e));
         } catch (InstantiationException e) {
             throw new UserError(asked + ": the class must not be abstract", e);
         } catch (ReflectiveOperationException e) {
-            throw new UserError(asked + ": needs a public constructor without arguments", e);
+            throw new UserError(asked + ": needs a public constructor " + arguments, e);
+        } catch (Error e) {
+            // An Error that a static initialiser throws arrives unwrapped.
+            if (new Thrown(e).isOfTheMachine()) {
+                throw e;
+            }
+            throw notCreated(asked, e);
         }
+    }
+
+    private static UserError notCreated(String asked, Throwable thrown) {
+        return new UserError(asked + ": cannot be created: " + PlainText.shown(thrown), thrown);
     }
 }

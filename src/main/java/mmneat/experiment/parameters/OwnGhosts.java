@@ -2,8 +2,10 @@ package mmneat.experiment.parameters;
 
 import java.util.EnumMap;
 import java.util.function.Supplier;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.OwnGhostTeam;
+import mmneat.neat.BadPartException;
 import pacman.controllers.Controller;
 import pacman.controllers.NewGhostController;
 import pacman.game.Constants.GHOST;
@@ -23,9 +25,8 @@ final class OwnGhosts {
     /** @throws UserError if the class is not a controller of the ghosts or cannot be created */
     static Supplier<NewGhostController> factory(String className, OwnClasses classes) {
         requireGhosts(className, classes.find(NAME, className, Controller.class));
-        Supplier<Controller<EnumMap<GHOST, MOVE>>> teams = () -> team(className, classes);
-        teams.get();
-        return () -> new OwnGhostTeam(teams);
+        team(className, classes);
+        return () -> new OwnGhostTeam(() -> laterTeam(className, classes));
     }
 
     /** The return type of the most special {@code getMove} tells whose moves a controller decides on. */
@@ -36,7 +37,17 @@ final class OwnGhosts {
                 throw new UserError(NAME + "=" + className + ": is a controller of Ms. Pac-Man, not of the ghosts");
             }
         } catch (NoSuchMethodException | LinkageError e) {
-            throw new UserError(NAME + "=" + className + ": the class cannot be loaded: " + e, e);
+            throw new UserError(NAME + "=" + className + ": the class cannot be loaded: " + PlainText.shown(e), e);
+        }
+    }
+
+    /** Creates a team during a run, where the part of the user's own is named, not the parameter. */
+    private static Controller<EnumMap<GHOST, MOVE>> laterTeam(String className, OwnClasses classes) {
+        try {
+            return team(className, classes);
+        } catch (UserError e) {
+            throw new BadPartException(
+                    "ghost team " + className, "cannot be created: " + PlainText.shown(e.getCause()));
         }
     }
 

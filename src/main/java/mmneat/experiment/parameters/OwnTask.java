@@ -1,11 +1,11 @@
 package mmneat.experiment.parameters;
 
 import java.lang.reflect.Constructor;
-import java.lang.reflect.InvocationTargetException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.function.Supplier;
+import mmneat.evolution.CheckedTask;
 import mmneat.evolution.Task;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
@@ -21,6 +21,9 @@ public final class OwnTask {
     /** The prefix of the parameters of a user's task. */
     public static final String PREFIX = "task.";
 
+    /** A network of a million neurons takes about 100 MB; a population of them exceeds every memory. */
+    private static final int MOST_POLICY_NEURONS = 1_000_000;
+
     private OwnTask() {}
 
     /**
@@ -32,52 +35,64 @@ public final class OwnTask {
      */
     static Supplier<Task> factory(String className, String jar, Map<String, String> parameters) {
         Class<? extends Task> type = new OwnClasses(jar).find("task", className, Task.class);
-        Supplier<Task> factory = () -> instance(type, parameters);
-        requireShape("task=" + className, factory.get());
-        return factory;
+        requireShape("task=" + className, instance(type, parameters));
+        return () -> CheckedTask.of(instance(type, parameters));
     }
 
-    /** Checks that the task has inputs, outputs and objectives. */
+    /** Checks that the task has inputs, outputs and objectives, and that no method fails. */
     private static void requireShape(String task, Task made) {
-        List<String> objectives = made.objectiveNames();
-        if (objectives == null || objectives.isEmpty()) {
+        List<String> objectives = names(task + ": objectiveNames()", made::objectiveNames);
+        if (objectives.isEmpty()) {
             throw new UserError(task + ": names no objective; objectiveNames() must give at least one");
         }
-        double[] least = made.referencePoint();
-        if (least == null || least.length != objectives.size()) {
+        double[] least = OwnClasses.ask(task + ": referencePoint()", made::referencePoint);
+        if (least.length != objectives.size()) {
             throw new UserError(task + ": referencePoint() must give " + objectives.size()
-                    + " numbers, one for each objective, gives " + (least == null ? 0 : least.length));
+                    + " numbers, one for each objective, gives " + least.length);
         }
-        List<String> inputs = made.inputLabels();
-        if (inputs == null || inputs.isEmpty() || made.inputs() != inputs.size()) {
-            throw new UserError(task + ": must have at least one input and a label for each, has " + made.inputs()
-                    + " inputs and " + (inputs == null ? 0 : inputs.size()) + " labels; see inputLabels()");
+        if (Arrays.stream(least).anyMatch(score -> !Double.isFinite(score))) {
+            throw new UserError(task + ": referencePoint() must give finite numbers, gives " + Arrays.toString(least));
         }
-        requireNames(task + ": objectiveNames()", objectives);
-        requireNames(task + ": otherScoreNames()", made.otherScoreNames());
-        requireNames(task + ": otherScoreLabels()", made.otherScoreLabels());
-        requireNames(task + ": inputLabels()", inputs);
-        if (made.policyNeuronsPerModule() < 1) {
-            throw new UserError(task + ": policyNeuronsPerModule() must be at least 1, is "
-                    + made.policyNeuronsPerModule() + "; networks without outputs cannot be evolved");
+        List<String> labels = names(task + ": inputLabels()", made::inputLabels);
+        int inputs = OwnClasses.ask(task + ": inputs()", made::inputs);
+        if (labels.isEmpty() || inputs != labels.size()) {
+            throw new UserError(task + ": must have at least one input and a label for each, has " + inputs
+                    + " inputs and " + labels.size() + " labels; see inputLabels()");
         }
-        if (made.trials() < 1) {
-            throw new UserError(task + ": trials() must be at least 1, is " + made.trials());
+        names(task + ": otherScoreNames()", made::otherScoreNames);
+        names(task + ": otherScoreLabels()", made::otherScoreLabels);
+        OwnClasses.ask(task + ": isDeterministic()", made::isDeterministic);
+        int neurons = OwnClasses.ask(task + ": policyNeuronsPerModule()", made::policyNeuronsPerModule);
+        if (neurons < 1) {
+            throw new UserError(task + ": policyNeuronsPerModule() must be at least 1, is " + neurons
+                    + "; networks without outputs cannot be evolved");
+        }
+        if (neurons > MOST_POLICY_NEURONS) {
+            throw new UserError(
+                    task + ": policyNeuronsPerModule() must be at most " + MOST_POLICY_NEURONS + ", is " + neurons);
+        }
+        int trials = OwnClasses.ask(task + ": trials()", made::trials);
+        if (trials < 1) {
+            throw new UserError(task + ": trials() must be at least 1, is " + trials);
         }
     }
 
-    /** Checks names, which become parts of lines in logs, tables and scripts. */
-    private static void requireNames(String method, List<String> names) {
-        if (names == null || names.stream().anyMatch(Objects::isNull)) {
-            throw new UserError(method + ": must not be null or contain null");
+    /** Asks for names and checks them; they become parts of lines in logs, tables and scripts. */
+    private static List<String> names(String method, Supplier<List<String>> asked) {
+        List<String> names = OwnClasses.ask(method, asked);
+        for (String name : names) {
+            if (name == null) {
+                throw new UserError(method + ": must not be null or contain null");
+            }
+            PlainText.require(method, name);
         }
-        names.forEach(name -> PlainText.require(method, name));
+        return names;
     }
 
     private static Task instance(Class<? extends Task> type, Map<String, String> parameters) {
         String name = "task=" + type.getName();
         OwnClasses.requirePublic(name, type);
-        try {
+        return OwnClasses.created(name, "without arguments or with a Map<String, String>", () -> {
             for (Constructor<?> constructor : type.getConstructors()) {
                 if (constructor.getParameterCount() == 1 && constructor.getParameterTypes()[0] == Map.class) {
                     return (Task) constructor.newInstance(parameters);
@@ -89,11 +104,6 @@ public final class OwnTask {
                         + " with a Map<String, String>)");
             }
             return type.getConstructor().newInstance();
-        } catch (InvocationTargetException e) {
-            throw new UserError(name + ": cannot be created: " + e.getCause(), e);
-        } catch (ReflectiveOperationException e) {
-            throw new UserError(
-                    name + ": needs a public constructor without arguments or with a Map<String, String>", e);
-        }
+        });
     }
 }

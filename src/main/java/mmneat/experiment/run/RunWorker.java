@@ -22,6 +22,7 @@ import mmneat.evolution.ScoreKeepingEvaluator;
 import mmneat.evolution.SequentialEvaluator;
 import mmneat.evolution.Task;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.experiment.original.RunFiles;
 import mmneat.experiment.parameters.EvolutionParameters;
@@ -144,7 +145,13 @@ final class RunWorker {
             Throwable thrown = failed.thrown() instanceof BadPartException ? null : failed.thrown();
             return failed("task=" + run.parameters().text("task") + ": " + e.getMessage(), thrown);
         }
-        return e instanceof IOException file ? failed(fileMessage(file), null) : failed(e.toString(), e);
+        if (e instanceof OutOfMemoryError) {
+            return failed(
+                    "out of memory; give Java more memory with the option -Xmx, or use smaller networks or fewer"
+                            + " trials",
+                    null);
+        }
+        return e instanceof IOException file ? failed(fileMessage(file), null) : failed(PlainText.shown(e), e);
     }
 
     /**

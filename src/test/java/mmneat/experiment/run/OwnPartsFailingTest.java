@@ -25,6 +25,14 @@ class OwnPartsFailingTest {
 
     private static final String THROW = "throw new IllegalStateException(\"no idea\");";
 
+    /** Throws a checked exception that no method declares. */
+    private static final String SNEAK = "throw Sneaks.sneak(new java.io.IOException(\"two\\nlines\"));";
+
+    private static final String SNEAKS =
+            "package my; public class Sneaks { static RuntimeException sneak(Throwable t) {"
+                    + " return Sneaks.<RuntimeException>as(t); } @SuppressWarnings(\"unchecked\")"
+                    + " static <T extends Throwable> T as(Throwable t) throws T { throw (T) t; } }";
+
     @TempDir
     private static Path classes;
 
@@ -36,6 +44,7 @@ class OwnPartsFailingTest {
     @BeforeAll
     static void compile() throws IOException {
         List<String> sources = new ArrayList<>();
+        sources.add(SNEAKS);
         sources.addAll(selections());
         sources.addAll(variations());
         sources.addAll(partsOfTheGame());
@@ -58,6 +67,7 @@ class OwnPartsFailingTest {
                                 + " l.stream().mapToInt(i -> i).toArray(); })); }",
                         "Nothing " + survivors + "return null; }",
                         "SurvivorThrower " + survivors + THROW + "}",
+                        "SurvivorSneak " + survivors + SNEAK + "}",
                         "NoParents " + parents + "return null; }",
                         "ParentOutside " + parents + "return random -> -1; }",
                         "ParentThrower " + parents + "return random -> { " + THROW + "}; }")
@@ -80,13 +90,17 @@ class OwnPartsFailingTest {
                                 + " return false; }",
                         "OtherFunction " + apply + "offspring.nodes().replaceAll(node -> node.withActivation("
                                 + "mmneat.neat.ActivationFunction.own(\"my.Sine\", Math::sin))); return true; }",
-                        "MutationThrower " + apply + THROW + "}")
+                        "MutationThrower " + apply + THROW + "}",
+                        "MutationSneak " + apply + SNEAK + "}",
+                        "MutationCycle " + apply + "RuntimeException a = new RuntimeException(\"round\"), b = new"
+                                + " RuntimeException(a); a.initCause(b); throw a; }")
                 .map(each -> each.replaceFirst(" ", " public String logName() { return \"Own\"; } "))
                 .map(each -> source(each, "implements mmneat.neat.variation.MutationOperator"));
         Stream<String> crossovers = Stream.of(
                         "NoOutput " + cross + "second.nodes().remove(second.nodes().size() - 1); }",
                         "NullNode " + cross + "first.nodes().set(0, null); }",
-                        "CrossoverThrower " + cross + THROW + "}")
+                        "CrossoverThrower " + cross + THROW + "}",
+                        "CrossoverSneak " + cross + SNEAK + "}")
                 .map(each -> source(each, "implements mmneat.neat.variation.CrossoverOperator"));
         return Stream.concat(mutations, crossovers).toList();
     }
@@ -103,6 +117,7 @@ class OwnPartsFailingTest {
                         "NegativeModule " + module + "return -1; }",
                         "ThirdModule " + module + "return 2; }",
                         "ModuleThrower " + module + THROW + "}",
+                        "ModuleSneak " + module + SNEAK + "}",
                         "Unlabelled " + module + "return 0; } public String observation(int module) { return null; }",
                         "LabelThrower " + module + "return 0; } public String observation(int module) {" + THROW + "}")
                 .map(each -> source(each, "implements mmneat.mspacman.modules.ModuleDivision"))
@@ -111,6 +126,7 @@ class OwnPartsFailingTest {
                         "NoScore " + score + "return Double.NaN; }",
                         "Endless " + score + "return Double.NEGATIVE_INFINITY; }",
                         "ScoreThrower " + score + THROW + "}",
+                        "ScoreSneak " + score + SNEAK + "}",
                         "NameThrower " + score + "return 0; } public String name() {" + THROW + "}")
                 .map(each -> source(each, "implements mmneat.mspacman.objectives.Objective"))
                 .forEach(sources::add);
@@ -119,9 +135,11 @@ class OwnPartsFailingTest {
                         "Undirected public String label() { return \"x\"; } public boolean isDirectional() { return"
                                 + " false; }" + sense + "return 1.0 / 0; }",
                         "SenseThrower public String label() { return \"x\"; }" + sense + THROW + "}",
+                        "SenseSneak public String label() { return \"x\"; }" + sense + SNEAK + "}",
                         "SideThrower public String label() { return \"x\"; } public boolean isDirectional() {" + THROW
                                 + "}" + sense + "return 0; }",
-                        "SenseLabel public String label() {" + THROW + "}" + sense + "return 0; }")
+                        "SenseLabel public String label() {" + THROW + "}" + sense + "return 0; }",
+                        "SenseLabelSneak public String label() {" + SNEAK + "}" + sense + "return 0; }")
                 .map(each -> source(each, "implements mmneat.mspacman.sensors.Sensor"))
                 .forEach(sources::add);
         String grade = "public String label() { return \"x\"; }"
@@ -138,6 +156,11 @@ class OwnPartsFailingTest {
         String controller = "extends pacman.controllers.Controller<"
                 + "java.util.EnumMap<pacman.game.Constants.GHOST, pacman.game.Constants.MOVE>>";
         sources.add(source("MoveThrower " + move + THROW + "}", controller));
+        sources.add(source("MoveSneak " + move + SNEAK + "}", controller));
+        sources.add(source(
+                "LateTeam private static int teams; public LateTeam() { if (++teams == 3) {" + SNEAK + "} }" + move
+                        + "return null; }",
+                controller));
         sources.add(source("NoMoves " + move + "return null; }", controller));
         sources.add(source(
                 "AnyMoves " + move + "var moves = new java.util.EnumMap<pacman.game.Constants.GHOST,"
@@ -146,6 +169,7 @@ class OwnPartsFailingTest {
                         + " pacman.game.Constants.MOVE.values()[game.getTotalTime() % 5]); return moves; }",
                 controller));
         sources.add("package my; class Hidden implements mmneat.nsga2.Selection { public Hidden() {} }");
+        sources.add(source("MadeSneak public MadeSneak() {" + SNEAK + "}", "extends SurvivorThrower"));
         sources.add("package my; public abstract class Abstract implements mmneat.nsga2.Selection { }");
         sources.add("package my; public class Static implements mmneat.nsga2.Selection {"
                 + " static final int NUMBER = Integer.parseInt(\"x\"); }");
@@ -205,6 +229,14 @@ class OwnPartsFailingTest {
                 pacmanMultitaskScheme=my.NegativeModule | division my.NegativeModule: gave module -1; it must be 0 to 1
                 pacmanMultitaskScheme=my.ThirdModule    | division my.ThirdModule: gave module 2; it must be 0 to 1
                 pacmanMultitaskScheme=my.ModuleThrower  | division my.ModuleThrower: threw java.lang.IllegalStateException: no idea at my.ModuleThrower.module
+                selection=my.SurvivorSneak        | selection my.SurvivorSneak: threw java.io.IOException: two?lines at my.
+                mutations=my.MutationSneak:1      | mutation my.MutationSneak: threw java.io.IOException: two?lines at my.
+                crossover=my.CrossoverSneak       | crossover my.CrossoverSneak: threw java.io.IOException: two?lines at my.
+                objectives=my.ScoreSneak          | objective my.ScoreSneak: threw java.io.IOException: two?lines at my.
+                ownSensors=my.SenseSneak          | sensor my.SenseSneak: threw java.io.IOException: two?lines at my.
+                ghostTeam=my.MoveSneak            | ghost team my.MoveSneak: threw java.io.IOException: two?lines at my.
+                pacmanMultitaskScheme=my.ModuleSneak | division my.ModuleSneak: threw java.io.IOException: two?lines at my.
+                mutations=my.MutationCycle:1      | mutation my.MutationCycle: threw java.lang.RuntimeException: round at my.MutationCycle.apply
                 """)
     void partThatFailsDuringARun_endsItWithOneLine(String word, String message) throws Exception {
         for (String way : List.of("parallelEvaluations=false", "parallelEvaluations=true")) {
@@ -228,6 +260,8 @@ class OwnPartsFailingTest {
                 selection=my.Hidden                   | selection=my.Hidden: the class must be public
                 selection=my.Abstract                 | selection=my.Abstract: the class must not be abstract
                 selection=my.Static                   | selection=my.Static: cannot be created: java.lang.NumberFormatException: For input string: "x"
+                ownSensors=my.SenseLabelSneak         | ownSensors=my.SenseLabelSneak: label() threw java.io.IOException: two?lines
+                selection=my.MadeSneak                | selection=my.MadeSneak: cannot be created: java.io.IOException: two?lines
                 """)
     void partThatFailsWhenItIsMade_isAMistake(String word, String message) {
         assertThatThrownBy(() -> run(word, word.startsWith("pacmanMulti") ? "method=MT2" : "method=2M"))
@@ -247,6 +281,16 @@ class OwnPartsFailingTest {
                 .isInstanceOf(BadPartException.class)
                 .hasMessageStartingWith(message)
                 .hasMessageNotContaining("\n");
+    }
+
+    /** A new team is created for each game. */
+    @Test
+    void ghostTeamThatCannotBeCreatedLater_endsTheRunWithOneLine() throws Exception {
+        RunOutcome outcome = run("ghostTeam=my.LateTeam");
+        assertThat(outcome.message())
+                .contains("ghost team my.LateTeam: cannot be created: java.io.IOException: two?lines")
+                .doesNotContain("UserError");
+        assertThat(outcome.failure()).isNull();
     }
 
     /** By the rules of the game, a ghost without a move or with an impossible one goes on. */
