@@ -17,8 +17,8 @@ public final class OneLine {
     }
 
     /**
-     * Whether the character at an index is no control character, no line or paragraph separator (some readers treat
-     * them as line ends) and no unpaired surrogate.
+     * Whether the character at an index is printable: neither a control character nor half of a surrogate pair. Line
+     * and paragraph separators are not printable here, because several programs treat them as line ends.
      */
     public static boolean isPlain(String text, int i) {
         char c = text.charAt(i);
