@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import mmneat.analysis.results.Experiment;
 import mmneat.analysis.results.MethodName;
 import mmneat.analysis.results.PublishedResults;
@@ -25,7 +26,7 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
 
     /** The source of the champions' scores: their evaluations after evolution, or the last generation. */
     public enum Scores {
-        /** The evaluations if a finished run has one, else the last generation. */
+        /** The evaluations if each experiment with finished runs has an evaluated one, else the last generation. */
         AUTO,
         /** The evaluations after evolution. */
         EVALUATION,
@@ -66,15 +67,22 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
         List<Sample> samples = new ArrayList<>();
         List<ComparisonReport.PaperSample> published = new ArrayList<>();
         PublishedResults results = PublishedResults.read();
+        List<Experiment> compared = new ArrayList<>();
         for (Experiment experiment : experiments) {
             noteLeftOut(experiment, evaluated, notes);
             double[] ofRuns = experiment.championScores(evaluated);
             if (ofRuns.length > 0) {
                 samples.add(new Sample(experiment.label(), ofRuns));
+                compared.add(experiment.ofScoredRuns(evaluated));
             }
             if (paper) {
                 addPublished(experiment, evaluated && ofRuns.length > 0, results, published, notes);
             }
+        }
+        UnlikeRuns unlike = new UnlikeRuns(compared);
+        notes.addAll(unlike.ofParameters());
+        if (evaluated) {
+            notes.addAll(unlike.ofEvaluations());
         }
         if (!published.isEmpty() && !evaluated) {
             notes.add(
@@ -84,30 +92,45 @@ public record ExperimentComparison(String version, boolean evaluated, Comparison
         return new ExperimentComparison(version, evaluated, ComparisonReport.of(samples, published), notes);
     }
 
-    /** Whether to compare evaluations: if any finished run has one. */
+    /** Whether to compare evaluations. Experiments without a finished run do not count, as none of them is compared. */
     private static boolean chooseEvaluated(List<Experiment> experiments, Scores scores, List<String> notes) {
         if (scores == Scores.TRAINING) {
             return false;
         }
-        List<String> missing = experiments.stream()
-                .filter(experiment -> experiment.runs().stream().noneMatch(RunResult::isComparable))
-                .map(Experiment::label)
-                .toList();
-        if (scores == Scores.EVALUATION && !missing.isEmpty()) {
-            throw new UserError("scores=evaluation: no champion of a finished run of " + String.join(", ", missing)
-                    + " was evaluated; run evaluate on it first");
+        if (scores == Scores.EVALUATION) {
+            String missing = labelsWithoutEvaluation(experiments.stream());
+            if (!missing.isEmpty()) {
+                throw new UserError("scores=evaluation: no champion of a finished run of " + missing
+                        + " was evaluated; run evaluate on it first");
+            }
+            return true;
         }
-        if (missing.size() < experiments.size()) {
+        List<Experiment> finished = experiments.stream()
+                .filter(experiment -> !experiment.runs().stream().allMatch(RunResult::isUnfinished))
+                .toList();
+        String missing = labelsWithoutEvaluation(finished.stream());
+        boolean hasEvaluations = finished.stream()
+                .flatMap(experiment -> experiment.runs().stream())
+                .anyMatch(RunResult::isComparable);
+        if (hasEvaluations && missing.isEmpty()) {
             return true;
         }
         // evaluate plays Ms. Pac-Man.
         boolean canBeEvaluated = experiments.stream()
                 .anyMatch(experiment -> !experiment.version().isEmpty());
-        notes.add("Scores are the best of the last generation. "
+        notes.add("Scores are the best of the last generation"
+                + (hasEvaluations ? ", because no champion of " + missing + " was evaluated. " : ". ")
                 + (canBeEvaluated
                         ? "They come from few games and are too high. Run evaluate for 1,000 games each."
                         : "They come from few evaluations and are too high."));
         return false;
+    }
+
+    private static String labelsWithoutEvaluation(Stream<Experiment> experiments) {
+        return experiments
+                .filter(experiment -> experiment.runs().stream().noneMatch(RunResult::isComparable))
+                .map(Experiment::label)
+                .collect(Collectors.joining(", "));
     }
 
     /** Lists the runs that are not compared, and why. */

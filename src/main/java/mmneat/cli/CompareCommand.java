@@ -48,7 +48,8 @@ final class CompareCommand extends ConsoleCommand implements Runnable {
             completionCandidates = Sources.class,
             description =
                     "Scores of the champions: evaluation (games after evolution), training (the last generation), or"
-                            + " auto: the evaluations if all champions have one (default: ${DEFAULT-VALUE}).")
+                            + " auto: the evaluations if each method has an evaluated champion, otherwise the last"
+                            + " generation. Runs without such a score are listed and left out (default: ${DEFAULT-VALUE}).")
     private String scores;
 
     @Option(

@@ -133,6 +133,74 @@ class CompareCommandTest extends CommandTest {
     }
 
     @Test
+    void methodWithoutAnyEvaluation_leadsToTheLastGeneration_ofAllRuns() throws IOException {
+        twoMethods();
+        RunFixture.evaluation(base.resolve("blended/2M0"), 15000, 1, 2);
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString())
+                .contains("Best score in the last generation")
+                .containsPattern("1M +8 ")
+                .containsPattern("2M +8 ")
+                .contains("because no champion of 1M was evaluated.")
+                .contains("Run evaluate for 1,000 games each")
+                .doesNotContain("Left out");
+    }
+
+    @Test
+    void unfinishedMethod_doesNotPreventTheComparisonOfEvaluations() throws IOException {
+        twoMethods();
+        evaluate(base, "blended", 8);
+        Path unfinished = RunFixture.run(base, "blended", "3M", 0, 100, 9000).resolve("parameters.properties");
+        Files.writeString(unfinished, Files.readString(unfinished).replace("maxGens=1", "maxGens=200"));
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString())
+                .contains("games after evolution")
+                .contains("Left out of 3M: run 0 (not finished: generation 1 of 200).");
+    }
+
+    @Test
+    void differentSettings_areNoted_withinAndBetweenMethods() throws IOException {
+        twoMethods();
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString()).doesNotContain("different settings", "evaluated differently");
+        Path odd = base.resolve("blended/2M3/parameters.properties");
+        Files.writeString(odd, Files.readString(odd).replace("mu=100", "mu=10").replace("trials=10", "trials=2"));
+        for (int run = 0; run < 8; run++) {
+            Path parameters = base.resolve("blended/1M" + run + "/parameters.properties");
+            Files.writeString(parameters, Files.readString(parameters) + "edibleTime=100\n");
+        }
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString())
+                .contains("Note: The runs of 2M have different settings: mu=100 (7 of them), mu=10 (run 3);"
+                        + " trials=10 (7 of them), trials=2 (run 3).")
+                .contains(
+                        "Note: The methods have different settings: edibleTime=100 (1M), edibleTime=(not given) (2M).");
+    }
+
+    @Test
+    void differentEvaluations_areNoted_withGamesAndSeeds() throws IOException {
+        twoMethods();
+        evaluate(base, "blended", 8);
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString()).doesNotContain("evaluated differently");
+        Path odd = base.resolve("blended/2M3/evaluation-training.json");
+        String whole = Files.readString(odd);
+        Files.writeString(odd, whole.replace("\"seed\":0", "\"seed\":7"));
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString())
+                .contains("Note: The champions were evaluated differently: 1000 games with seed 0 (15 of them), ")
+                .contains("1000 games with seed 7 (2M run 3).");
+
+        // A file of an earlier program does not name the seed.
+        Files.writeString(odd, whole.replace("\"seed\":0,", ""));
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString()).doesNotContain("evaluated differently");
+        Files.writeString(odd, whole.replace("\"seed\":0,", "").replace("1000,", "2000,"));
+        assertThat(execute("compare", base.resolve("blended").toString())).isZero();
+        assertThat(out.toString()).contains("2000 games with an unknown seed (2M run 3).");
+    }
+
+    @Test
     void runThatStopAtEnded_isFinished_andComparedWithOthers() throws IOException {
         twoMethods();
         Path stopped = base.resolve("blended/2M0/parameters.properties");

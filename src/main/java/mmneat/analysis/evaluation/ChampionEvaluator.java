@@ -155,7 +155,7 @@ public final class ChampionEvaluator implements AutoCloseable {
                 file.append(done);
                 results.addAll(done);
             }
-            ChampionEvaluation evaluation = EvaluationSummary.of(network, rules, results);
+            ChampionEvaluation evaluation = EvaluationSummary.of(network, rules, seed, results);
             try {
                 Path unfinished = summary.resolveSibling(summary.getFileName() + ".new");
                 new ObjectMapper().writerWithDefaultPrettyPrinter().writeValue(unfinished.toFile(), evaluation);

@@ -16,7 +16,7 @@ final class EvaluationSummary {
     private EvaluationSummary() {}
 
     /** The interval is Student's: the mean of many games is nearly normal, whatever their scores are. */
-    static ChampionEvaluation of(long network, Rules rules, List<GameResult> games) {
+    static ChampionEvaluation of(long network, Rules rules, long seed, List<GameResult> games) {
         SummaryStatistics scores = new SummaryStatistics();
         long[] deaths = new long[MAZES];
         List<long[]> use = new ArrayList<>();
@@ -47,6 +47,7 @@ final class EvaluationSummary {
                 network,
                 rules.label(),
                 games.size(),
+                seed,
                 mean,
                 hasDeviation ? scores.getStandardDeviation() : null,
                 hasDeviation ? mean - margin : null,

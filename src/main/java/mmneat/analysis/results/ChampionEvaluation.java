@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param rules label of the rules of the games: {@code training}, {@code FourMaze} or {@code MPMvsG} ({@link
  *     mmneat.analysis.evaluation.Rules} explains them)
  * @param games number of games; in the isolated version number of trials, each a set of five games
+ * @param seed from which the seeds of the games were drawn; null if the file of an earlier program does not tell it
  * @param meanScore average game score
  * @param standardDeviation deviation of the game scores, with n - 1; null for one game
  * @param low lower end of the 95 % confidence interval of the mean; null for one game
@@ -23,6 +24,7 @@ public record ChampionEvaluation(
         long network,
         String rules,
         int games,
+        @Nullable Long seed,
         double meanScore,
         @Nullable Double standardDeviation,
         @Nullable Double low,

@@ -68,10 +68,18 @@ public record Experiment(String version, String method, String label, List<RunRe
      *     left out, too; if false, each run's {@link RunResult#lastScore}
      */
     public double[] championScores(boolean evaluated) {
-        return runs.stream()
-                .filter(run -> evaluated ? run.isComparable() : !run.isUnfinished())
+        return scored(evaluated)
                 .mapToDouble(run -> evaluated ? run.evaluation().orElseThrow().meanScore() : run.lastScore())
                 .toArray();
+    }
+
+    /** This experiment with only the runs that have a score in {@link #championScores}. */
+    public Experiment ofScoredRuns(boolean evaluated) {
+        return new Experiment(version, method, label, scored(evaluated).toList());
+    }
+
+    private Stream<RunResult> scored(boolean evaluated) {
+        return runs.stream().filter(run -> evaluated ? run.isComparable() : !run.isUnfinished());
     }
 
     /**

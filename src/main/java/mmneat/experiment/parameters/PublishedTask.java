@@ -137,15 +137,38 @@ public final class PublishedTask {
         for (Parameter parameter : catalogue.all()) {
             String name = parameter.name();
             String value = parameters.get(name);
-            boolean isCompared = parameter.support() == Parameter.Support.YES
-                    && (!NOT_OF_THE_EVOLUTION.contains(parameter.group()) || EVOLUTION_IN_OTHER_GROUPS.contains(name))
-                    && !name.equals("task")
-                    && !name.equals(Tasks.GHOST_LOCATIONS);
-            if (isCompared && value != null && !value.equals(published.text(name))) {
+            if (isOfTheEvolution(parameter) && value != null && !value.equals(published.text(name))) {
                 differences.put(name, published.text(name));
             }
         }
         return differences;
+    }
+
+    /**
+     * Returns the names of the parameters that have different values in some runs, in the order of the catalogue. The
+     * same parameters as in {@link #differences} are compared. A run that does not name one has its default.
+     *
+     * @param runs the parameters of each run, by name; a run without any parameters is ignored
+     */
+    public static List<String> differing(List<Map<String, String>> runs) {
+        return ParameterCatalogue.load().all().stream()
+                .filter(PublishedTask::isOfTheEvolution)
+                .filter(parameter -> runs.stream()
+                                .filter(run -> !run.isEmpty())
+                                .map(run -> run.getOrDefault(parameter.name(), parameter.defaultValue()))
+                                .distinct()
+                                .count()
+                        > 1)
+                .map(Parameter::name)
+                .toList();
+    }
+
+    private static boolean isOfTheEvolution(Parameter parameter) {
+        String name = parameter.name();
+        return parameter.support() == Parameter.Support.YES
+                && (!NOT_OF_THE_EVOLUTION.contains(parameter.group()) || EVOLUTION_IN_OTHER_GROUPS.contains(name))
+                && !name.equals("task")
+                && !name.equals(Tasks.GHOST_LOCATIONS);
     }
 
     /**

@@ -53,7 +53,7 @@ public final class RunFixture {
     /** Adds the evaluation of the run's champion. */
     public static void evaluation(Path folder, double score, long... moduleUse) throws IOException {
         ChampionEvaluation evaluation = new ChampionEvaluation(
-                0, "training", 1000, score, 500.0, score - 30, score + 30, List.of(moduleUse), new long[] {
+                0, "training", 1000, 0L, score, 500.0, score - 30, score + 30, List.of(moduleUse), new long[] {
                     600, 300, 80, 20
                 });
         new ObjectMapper()
