@@ -1,17 +1,23 @@
 package mmneat.experiment;
 
+import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Converter of file exceptions to messages for the user. Java's own messages are not enough: that of most file
  * exceptions is only the name of the file.
  */
 public final class FileErrors {
+
+    /** The message of a {@link FileNotFoundException} is the file and the operating system's message. */
+    private static final Pattern REASON_IN_PARENTHESES = Pattern.compile(" \\(([^()]+)\\)$");
 
     private FileErrors() {}
 
@@ -26,6 +32,10 @@ public final class FileErrors {
         if (e instanceof AccessDeniedException) {
             return "permission denied";
         }
+        if (e instanceof FileNotFoundException && e.getMessage() != null) {
+            Matcher reason = REASON_IN_PARENTHESES.matcher(e.getMessage());
+            return reason.find() ? ofOperatingSystem(reason.group(1)) : "there is no such file";
+        }
         if (e instanceof FileAlreadyExistsException existing) {
             return existing.getFile() + " exists and is not a folder";
         }
@@ -36,10 +46,19 @@ public final class FileErrors {
             return failure.getReason();
         }
         if (e.getClass() == IOException.class && e.getMessage() != null) {
-            // The operating system's message, such as "No space left on device".
-            return e.getMessage().equals("Is a directory") ? "it is a folder; name a file in it" : e.getMessage();
+            return ofOperatingSystem(e.getMessage());
         }
         return e.getClass().getSimpleName() + ": " + e.getMessage();
+    }
+
+    /** Returns the operating system's message, such as "No space left on device", with frequent ones as sentences. */
+    private static String ofOperatingSystem(String message) {
+        return switch (message) {
+            case "Is a directory" -> "it is a folder; name a file in it";
+            case "Permission denied" -> "permission denied";
+            case "No such file or directory" -> "there is no such file";
+            default -> message;
+        };
     }
 
     /**

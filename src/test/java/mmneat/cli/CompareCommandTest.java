@@ -277,4 +277,42 @@ class CompareCommandTest extends CommandTest {
         assertThat(execute("compare", base.resolve("blended/1M").toString())).isZero();
         assertThat(out.toString()).contains("9,000").contains("there is only one group");
     }
+
+    @Test
+    void emptiedFiles_areNamedWithARemedy() throws IOException {
+        twoMethods();
+        evaluate(base, "blended", 8);
+        String experiment = base.resolve("blended").toString();
+        Path run = base.resolve("blended/2M3");
+        String report = "out=" + base.resolve("report.html");
+        Path champion = Files.writeString(run.resolve("champion.json"), "");
+        String empty = champion + ": is damaged (the file is empty); restore it or leave the run out";
+        assertMistake(empty, "compare", experiment);
+        assertMistake(empty, "report", experiment, report);
+        Files.delete(run.resolve("evaluation-training.json"));
+        assertMistake(champion + ": is empty; restore it", "evaluate", run.toString());
+        assertMistake(champion + ": is empty; restore it", "report", experiment, report);
+        Files.writeString(champion, "{\n");
+        assertMistake(champion + ": ", "evaluate", run.toString());
+        assertThat(errors.toString()).doesNotContain("Source", "`");
+        Files.delete(champion);
+
+        Path evaluation = base.resolve("blended/1M2/evaluation-training.json");
+        String whole = Files.readString(evaluation);
+        Files.writeString(evaluation, "{\n");
+        assertMistake(
+                evaluation + ": is damaged (the file ends too early); remove it and run evaluate again",
+                "compare",
+                experiment);
+        Files.writeString(evaluation, whole);
+
+        Path parameters = run.resolve("parameters.properties");
+        for (String text : new String[] {"", "# All parameters of this run\n", "mu=100\n"}) {
+            Files.writeString(parameters, text);
+            String problem = parameters + (text.startsWith("mu") ? ": does not name the task" : ": is empty");
+            assertMistake(problem + "; restore it or leave the run out", "compare", experiment);
+            assertMistake(problem + "; restore it or leave the run out", "report", experiment, report);
+            assertMistake(problem + "; restore it or leave the run out", "evaluate", experiment);
+        }
+    }
 }

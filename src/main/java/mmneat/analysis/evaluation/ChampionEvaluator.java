@@ -17,6 +17,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import mmneat.analysis.results.ChampionEvaluation;
 import mmneat.evolution.DaemonThreads;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 import mmneat.experiment.store.RunLayout;
 import mmneat.mspacman.MsPacManTaskSettings;
@@ -123,7 +124,7 @@ public final class ChampionEvaluator implements AutoCloseable {
         private void keepSummary() {
             try {
                 if (Files.exists(summary)) {
-                    Path copy = KeptFiles.keep(summary, Files.readAllBytes(summary));
+                    Path copy = KeptFiles.keep(summary, TextFiles.bytes(summary, TextFiles.TABLE_MIB));
                     remarks.add(summary + ": is the summary of other games; kept as " + copy.getFileName());
                 }
             } catch (IOException e) {

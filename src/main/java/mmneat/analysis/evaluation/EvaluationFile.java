@@ -11,6 +11,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Optional;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 
 /**
@@ -73,6 +74,10 @@ final class EvaluationFile implements AutoCloseable {
     List<GameResult> begin(EvaluationName name, int modules) {
         evaluation = name.text();
         try {
+            if (channel.size() > (long) TextFiles.TABLE_MIB << 20) {
+                throw new UserError(
+                        file + ": is larger than " + TextFiles.TABLE_MIB + " MiB; delete the file to evaluate again");
+            }
             String found = new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8);
             Optional<EvaluationTable> table = EvaluationTable.parse(file, found);
             boolean isSame = table.isPresent()

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.PlainText;
+import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
 
 /**
@@ -37,7 +38,7 @@ record EvaluationTable(EvaluationName evaluation, int modules, List<GameResult> 
             return Optional.empty();
         }
         try {
-            return parse(file, Files.readString(file));
+            return parse(file, TextFiles.text(file, TextFiles.TABLE_MIB));
         } catch (IOException e) {
             throw FileErrors.unreadable(file, e);
         }

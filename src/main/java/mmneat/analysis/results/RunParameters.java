@@ -32,7 +32,7 @@ public final class RunParameters {
     /**
      * All parameters by name; none without a folder or without a file in it.
      *
-     * @throws UserError if the file cannot be read, or a parameter that must be a number is not one
+     * @throws UserError if the file cannot be read, names no task, or has a text for a number
      */
     public static Map<String, String> read(Optional<Path> folder) {
         Optional<Path> file = folder.flatMap(RunLayout::parametersIn);
@@ -40,6 +40,10 @@ public final class RunParameters {
             return Map.of();
         }
         Map<String, String> parameters = values(file.get());
+        if (parameters.getOrDefault("task", "").isEmpty()) {
+            throw new UserError(file.get() + ": " + (parameters.isEmpty() ? "is empty" : "does not name the task")
+                    + "; restore it or leave the run out");
+        }
         WHOLE_NUMBERS.forEach(name -> PropertiesFile.requireWholeNumber(file.get(), parameters, name));
         NUMBERS.forEach(name -> PropertiesFile.requireNumber(file.get(), parameters, name));
         return parameters;

@@ -117,13 +117,16 @@ public final class RunReader {
         Path champion = folder.resolve(RunLayout.CHAMPION);
         // A continued run has another champion, to which this evaluation does not apply.
         boolean isOfAnother = Files.exists(champion)
-                && json(champion, JsonNode.class, "").path("id").asLong() != evaluation.network();
+                && json(champion, JsonNode.class, "; restore it or leave the run out")
+                                .path("id")
+                                .asLong()
+                        != evaluation.network();
         return isOfAnother ? Optional.empty() : Optional.of(evaluation);
     }
 
     private static <T> T json(Path file, Class<T> type, String remedy) {
         try {
-            T value = JSON.readValue(file.toFile(), type);
+            T value = JSON.readValue(TextFiles.bytes(file, TextFiles.TABLE_MIB), type);
             if (value == null) {
                 throw new UserError(file + ": is damaged (its content is null)" + remedy);
             }

@@ -35,6 +35,9 @@ public final class GenotypeFiles {
             if (text.startsWith("<")) {
                 return GenotypeXml.read(text);
             }
+            if (text.isEmpty()) {
+                throw new GenotypeFormatException("is empty; restore it or give another file with a network");
+            }
             throw new GenotypeFormatException("is neither a genotype in JSON nor an XML file of the original; "
                     + "give a file with a network, such as champion.json in the folder of a run");
         } catch (GenotypeFormatException e) {

@@ -160,7 +160,8 @@ public final class GenotypeJson {
             return "must be " + nameOf(mismatch.getTargetType());
         }
         // The parser's message continues with its own settings and the position a second time.
-        return what.replaceAll(": enable .*| \\(start marker at .*| \\[Source: .*", "");
+        return what.replaceAll(
+                ": enable .*| \\(start marker at .*| \\(not recognized as one since .*| \\[Source: .*", "");
     }
 
     private static String nameOf(Class<?> type) {
