@@ -179,12 +179,14 @@ public final class Main implements Callable<Integer> {
 
     private static int checkAndRun(ParseResult parsed) {
         ParseResult command = parsed.hasSubcommand() ? parsed.subcommand() : parsed;
-        if (!command.isUsageHelpRequested() && !command.isVersionHelpRequested()) {
-            try {
+        try {
+            if (!command.isUsageHelpRequested() && !command.isVersionHelpRequested()) {
                 OptionValues.check(command);
-            } catch (UserError e) {
-                throw new ParameterException(command.commandSpec().commandLine(), e.getMessage(), e);
+            } else if (command.commandSpec().userObject() instanceof Main main && !main.words.isEmpty()) {
+                main.requireParameters(command.commandSpec().commandLine());
             }
+        } catch (UserError e) {
+            throw new ParameterException(command.commandSpec().commandLine(), e.getMessage(), e);
         }
         return new CommandLine.RunLast().execute(parsed);
     }
@@ -206,6 +208,9 @@ public final class Main implements Callable<Integer> {
     /** Refuses a first word without "=" or ":", which was meant to be a command. */
     private void requireParameters(CommandLine line) {
         String first = words.get(0);
+        if (first.equals("help")) {
+            return;
+        }
         if (first.startsWith("-")) {
             throw new ParameterException(line, "unknown option '" + first + "'");
         }

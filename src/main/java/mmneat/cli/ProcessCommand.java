@@ -3,7 +3,9 @@ package mmneat.cli;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import mmneat.cli.options.ArgumentSyntax;
 import mmneat.experiment.UserError;
 import mmneat.experiment.original.RunSummaries;
@@ -13,6 +15,7 @@ import mmneat.experiment.parameters.Tasks;
 import mmneat.experiment.run.ExperimentPlan;
 import mmneat.experiment.run.RunPlan;
 import mmneat.experiment.store.RunLayout;
+import mmneat.experiment.store.RunParametersFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
@@ -28,8 +31,8 @@ import picocli.CommandLine.Parameters;
             "Writes the original's summaries over the runs of an experiment.",
             "",
             "Writes hypervolumes, logs averaged over the runs, and gnuplot scripts for them, beside the "
-                    + "folders of the runs. Give the parameters with which the runs were made. Runs that have not "
-                    + "begun are left out.",
+                    + "folders of the runs. Give the parameters with which the runs were made; others are remarked. "
+                    + "Runs that have not begun are left out.",
             "",
             "Example: mmneat process task=blended method=2M runs=30",
             "",
@@ -62,10 +65,27 @@ final class ProcessCommand extends ConsoleCommand implements Runnable {
                         plan.name(),
                         Tasks.factory(plan.parameters()).get())
                 .write(begun);
+        remarkOnParameters(plan);
         PrintWriter out = out();
         out.println(begun.size() + " of " + plan.runs().size() + " runs summarised in "
                 + plan.base().resolve(RunLayout.log(plan.name() + "AVG_", RunLayout.PARENTS)) + " and beside it");
         out.flush();
+    }
+
+    /** Says which runs were made with other parameters than those given. Runs of the original have no file of them. */
+    private void remarkOnParameters(ExperimentPlan plan) {
+        Map<String, List<String>> runs = new LinkedHashMap<>();
+        for (RunPlan run : plan.runs()) {
+            RunParametersFile file = new RunParametersFile(run.directory());
+            if (hasBegun(run) && file.exists()) {
+                runs.computeIfAbsent(String.join(", ", file.differences(run.parameters())), unused -> new ArrayList<>())
+                        .add(String.valueOf(run.number()));
+            }
+        }
+        runs.remove("");
+        runs.forEach((differences, numbers) -> notes().println("mmneat: run " + String.join(", ", numbers)
+                + " was begun with " + differences + "; the summaries are of the runs as they are"));
+        notes().flush();
     }
 
     private static boolean hasBegun(RunPlan run) {

@@ -142,6 +142,10 @@ class ChampionCommandsTest extends CommandTest {
                 .contains("NearestPillPacMan")
                 .contains("overlap in");
         assertThat(Files.readAllLines(csv)).hasSize(7);
+        assertMistakeAtWork("players=,: a name is missing", "tasks", "players=,");
+        assertMistakeAtWork("players=StarterPacMan,: a name is missing", "tasks", "players=StarterPacMan,");
+        assertMistakeAtWork("predicates=,: '' is not one of threats", "tasks", "predicates=,");
+        assertMistakeAtWork("predicates=threats,edible,: '' is not one", "tasks", "predicates=threats,edible,");
         assertMistakeAtWork("predicates=x: must be two or more of threats", "tasks", "predicates=x");
     }
 }

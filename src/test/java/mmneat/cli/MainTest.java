@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.InvalidPathException;
+import java.util.List;
 import java.util.concurrent.Callable;
 import mmneat.experiment.UserError;
 import org.junit.jupiter.api.Test;
@@ -77,6 +78,28 @@ class MainTest extends CommandTest {
         assertThat(execute(new Mistake(), "mistake", "--nonsense")).isEqualTo(2);
         assertThat(errors.toString().lines()).hasSize(1);
         assertThat(errors.toString()).contains("--nonsense").contains("mistake --help");
+    }
+
+    @Test
+    void helpOfACommandThatDoesNotExist_isAnError() {
+        assertMistake("'hv' is not a command", "hv", "--help");
+        assertMistake("'hv' is not a command", "--help", "hv");
+        assertMistake("'multiple' is not a command", "multiple", "-h");
+        assertMistake("'wach' is not a command (did you mean 'watch'?)", "wach", "--help");
+        assertMistake("'hv' is not a command", "hv", "--version");
+        assertThat(execute("task=blended", "--help")).isZero();
+        assertThat(execute("help", "--help")).isZero();
+    }
+
+    @Test
+    void emptyArgument_isAPlainMistake() {
+        for (String command : List.of("compare", "evaluate", "report")) {
+            assertMistake("'' is not a name: give EXPERIMENT", command, "");
+        }
+        for (String command : List.of("network", "watch", "replay", "record-ghosts", "status", "params")) {
+            assertMistake("'' is not a name: give ", command, "");
+            assertMistake("' ' is not a name: give ", command, " ");
+        }
     }
 
     @Test

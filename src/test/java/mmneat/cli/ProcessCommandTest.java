@@ -40,6 +40,20 @@ class ProcessCommandTest extends CommandTest {
     }
 
     @Test
+    void runsMadeWithOtherParameters_areRemarked() {
+        assertThat(execute(TASK, "base=" + base, "saveTo=A", "log=X", "runs=2", "mu=4", "maxGens=1", "quiet=true"))
+                .isZero();
+        assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X", "runs=2", "mu=77", "mating=true"))
+                .isZero();
+        assertThat(errors.toString())
+                .isEqualToIgnoringNewLines("mmneat: run 0, 1 was begun with mu=4 (now 77), mating=false (now true);"
+                        + " the summaries are of the runs as they are");
+        assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X", "runs=2", "mu=4"))
+                .isZero();
+        assertThat(errors.toString()).isEmpty();
+    }
+
+    @Test
     void emptyFolder_isReported() {
         assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X"))
                 .isEqualTo(2);

@@ -3,6 +3,7 @@ package mmneat.analysis.results;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -14,6 +15,7 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.run.ExperimentView;
@@ -69,7 +71,7 @@ public final class ExperimentFinder {
         if (!Files.isDirectory(path)) {
             return ofStem(path);
         }
-        if (RunReader.isRun(path)) {
+        if (isRun(path)) {
             return List.of(path);
         }
         List<Path> found = new ArrayList<>();
@@ -80,7 +82,7 @@ public final class ExperimentFinder {
     /** Adds the runs in a folder, and in the folders below it. Runs hold no runs. */
     private static void addRunsBelow(Path parent, int depth, List<Path> found) {
         for (Path folder : folders(parent)) {
-            if (RunReader.isRun(folder)) {
+            if (isRun(folder)) {
                 found.add(folder);
             } else if (depth > 1) {
                 addRunsBelow(folder, depth - 1, found);
@@ -96,7 +98,7 @@ public final class ExperimentFinder {
         }
         Path whole = parent.resolve(stem.getFileName());
         return folders(parent).stream()
-                .filter(RunReader::isRun)
+                .filter(ExperimentFinder::isRun)
                 .filter(folder -> stem(folder, RunReader.read(folder)).equals(whole))
                 .map(folder -> stem.resolveSibling(folder.getFileName()))
                 .toList();
@@ -185,11 +187,29 @@ public final class ExperimentFinder {
         return shortened.isEmpty() ? name : shortened;
     }
 
+    /** @throws UserError if the folder cannot be read */
+    private static boolean isRun(Path folder) {
+        try {
+            return RunReader.isRun(folder);
+        } catch (UncheckedIOException e) {
+            requireVanished(folder, e.getCause());
+            return false;
+        }
+    }
+
     private static List<Path> folders(Path parent) {
         try (Stream<Path> entries = Files.list(parent)) {
             return entries.filter(Files::isDirectory).sorted().collect(Collectors.toList());
         } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            requireVanished(parent, e);
+            return List.of();
+        }
+    }
+
+    /** A folder may be deleted during the search. One that is there but cannot be read may hide runs. */
+    private static void requireVanished(Path folder, IOException e) {
+        if (!(e instanceof NoSuchFileException)) {
+            throw FileErrors.unreadable(folder, e);
         }
     }
 }

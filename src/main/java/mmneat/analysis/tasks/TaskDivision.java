@@ -75,7 +75,7 @@ public record TaskDivision(String name, List<TaskPredicate> tasks) {
             return ofModules(name);
         }
         List<TaskPredicate> tasks = new ArrayList<>();
-        for (String part : name.split(",")) {
+        for (String part : name.split(",", -1)) {
             TaskPredicate predicate = KNOWN.get(part.strip());
             if (predicate == null) {
                 throw new UserError("predicates=" + name + ": '" + part.strip() + "' is not one of "

@@ -98,6 +98,10 @@ public final class ArgumentSyntax implements IParameterPreprocessor {
         Matcher named = NAMED.matcher(word);
         boolean looksLikeOption = named.matches();
         boolean hasRoom = before < capacity(command);
+        if (hasRoom && word.isBlank()) {
+            throw new UserError("'" + word + "' is not a name: give "
+                    + command.positionalParameters().get(0).paramLabel());
+        }
         // A file name may contain a colon (a drive letter, a time) but must not look like an assignment.
         if (hasRoom && !(looksLikeOption && named.group(2).equals("="))) {
             return;

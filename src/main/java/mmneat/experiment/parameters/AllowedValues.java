@@ -2,6 +2,7 @@ package mmneat.experiment.parameters;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * The allowed values of a parameter: a range of numbers, a choice of words, or any value.
@@ -81,9 +82,11 @@ record AllowedValues(double minimum, double maximum, List<String> choices, Exten
                 Extension.NONE);
     }
 
-    /** Returns the choice that equals the text except for case; the text itself if there is none. */
+    /** Returns the choice or hybrid that equals the text except for case; the text itself if there is none. */
     String spelled(String text) {
-        return choices.stream().filter(text::equalsIgnoreCase).findFirst().orElse(text);
+        String upper = text.toUpperCase(Locale.ROOT);
+        String other = extension == Extension.HYBRID && extension.permits(upper) ? upper : text;
+        return choices.stream().filter(text::equalsIgnoreCase).findFirst().orElse(other);
     }
 
     boolean permits(ParameterType type, String canonical) {

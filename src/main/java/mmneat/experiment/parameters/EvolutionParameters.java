@@ -124,7 +124,7 @@ public record EvolutionParameters(
     private VariationSettings variation(InputSelection inputs, ActivationFunction function, OwnClasses classes) {
         VariationSettings variation = new VariationSettings(
                 rates(), new ModuleGate(maxModes, usageForNewMode), crossExcessRate, deleteLeastUsed, inputs, function);
-        for (String mutation : OwnClasses.names(mutations)) {
+        for (String mutation : OwnClasses.names("mutations", mutations)) {
             variation = withOwnMutation(variation, mutation, classes);
         }
         return crossover.equals(NEAT_CROSSOVER)

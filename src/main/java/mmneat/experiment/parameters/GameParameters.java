@@ -173,7 +173,7 @@ record GameParameters(
                 smallStepSimDepth,
                 edibleTime,
                 SensorSettings.CLOSE_POWER_PILL_DISTANCE,
-                OwnClasses.names(ownSensors).stream()
+                OwnClasses.names("ownSensors", ownSensors).stream()
                         .map(name -> labelled(name, classes.make("ownSensors", name, Sensor.class)))
                         .toList());
     }

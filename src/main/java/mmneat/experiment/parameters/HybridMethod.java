@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -54,7 +55,7 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
      * ParameterReader#read} replaces a long form by the short one, so checked {@link Parameters} never contain it.
      */
     public static boolean isLongForm(String value) {
-        return value.startsWith(LONG_FORM);
+        return value.regionMatches(true, 0, LONG_FORM, 0, LONG_FORM.length());
     }
 
     /**
@@ -69,8 +70,8 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
      */
     static String shortName(String value, Optional<TaskVersion> version, String division) {
         List<String> parts = new ArrayList<>(
-                Arrays.asList(value.substring(LONG_FORM.length()).split(",")));
-        boolean isGrowing = parts.remove(GROWING);
+                Arrays.asList(value.substring(LONG_FORM.length()).strip().split("\\s*,\\s*", -1)));
+        boolean isGrowing = parts.removeIf(GROWING::equalsIgnoreCase);
         boolean isNumbered =
                 version.filter(known -> isOther(division, known, parts.size())).isPresent();
         List<String> groups = isNumbered
@@ -79,7 +80,7 @@ public record HybridMethod(List<Integer> sizes, boolean isGrowing) {
         List<Integer> sizes = new ArrayList<>(Collections.nCopies(groups.size(), 0));
         for (String part : parts) {
             Matcher group = GROUP.matcher(part);
-            int place = group.matches() ? groups.indexOf(group.group(1)) : -1;
+            int place = group.matches() ? groups.indexOf(group.group(1).toLowerCase(Locale.ROOT)) : -1;
             if (place < 0 || sizes.get(place) > 0) {
                 throw new UserError("method=" + value + ": '" + part + "' is not allowed; "
                         + (isNumbered ? numbers(division) : words(version)));

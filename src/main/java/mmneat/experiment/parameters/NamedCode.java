@@ -79,7 +79,7 @@ public final class NamedCode {
     }
 
     private static String ownObjectives(Parameters parameters) {
-        return OwnClasses.names(parameters.text("objectives")).stream()
+        return OwnClasses.names("objectives", parameters.text("objectives")).stream()
                 .filter(name -> !ObjectiveParameter.isRecorded(name))
                 .collect(Collectors.joining(","));
     }

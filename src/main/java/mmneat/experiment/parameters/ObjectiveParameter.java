@@ -35,7 +35,7 @@ final class ObjectiveParameter {
      * @throws UserError if a name is neither a recorded score nor a usable class
      */
     static List<GameObjective> read(String value, OwnClasses classes, TaskVersion version, GameRules rules) {
-        List<String> names = OwnClasses.names(value);
+        List<String> names = OwnClasses.names(NAME, value);
         if (names.isEmpty()) {
             return GameObjective.PUBLISHED;
         }

@@ -54,12 +54,21 @@ final class OwnClasses {
         return NAME.matcher(text).matches();
     }
 
-    /** The names in a list that is separated by commas; empty ones are left out. */
-    static List<String> names(String list) {
-        return Stream.of(list.split(","))
-                .map(String::strip)
-                .filter(name -> !name.isEmpty())
-                .toList();
+    /**
+     * The names in a list that is separated by commas; none if it is blank.
+     *
+     * @param parameter the parameter with this list, for messages
+     * @throws UserError if a name in it is empty
+     */
+    static List<String> names(String parameter, String list) {
+        if (list.isBlank()) {
+            return List.of();
+        }
+        List<String> names = Stream.of(list.split(",", -1)).map(String::strip).toList();
+        if (names.contains("")) {
+            throw new UserError(parameter + "=" + list + ": a name is missing; separate the names by single commas");
+        }
+        return names;
     }
 
     /** Whether there is a class with a name. Nothing in it runs. */

@@ -146,6 +146,7 @@ public record Study(List<Part> parts, List<String> remarks) {
                 .flatMap(value -> HybridMethod.isLongForm(value) ? Stream.of(value) : Arrays.stream(value.split(",")))
                 .map(String::strip)
                 .filter(value -> !value.isEmpty())
+                .map(value -> value.equalsIgnoreCase(ALL) ? ALL : value)
                 .forEach(values::add);
         requireOnce(name, values);
         if (values.isEmpty() && !otherwise.isEmpty()) {

@@ -73,6 +73,16 @@ public final class RunParametersFile {
      * @throws UserError if not, naming those that differ
      */
     public void requireSame(Parameters parameters) {
+        List<String> differing = differences(parameters);
+        if (!differing.isEmpty()) {
+            throw new UserError(directory + " was begun with " + String.join(", ", differing)
+                    + sameName(read(), values(parameters))
+                            .orElse("; give the same to continue it, or another folder with base=FOLDER"));
+        }
+    }
+
+    /** The parameters with which the run was started that differ from the given ones, as "mu=10 (now 100)". */
+    public List<String> differences(Parameters parameters) {
         Map<String, String> saved = read();
         Map<String, String> asked = values(parameters);
         Set<String> names = new LinkedHashSet<>(asked.keySet());
@@ -89,11 +99,7 @@ public final class RunParametersFile {
                 differing.add((before == null ? "no " + name : name + "=" + before) + " (now " + now + ")");
             }
         }
-        if (!differing.isEmpty()) {
-            throw new UserError(directory + " was begun with " + String.join(", ", differing)
-                    + sameName(saved, asked)
-                            .orElse("; give the same to continue it, or another folder with base=FOLDER"));
-        }
+        return differing;
     }
 
     /**

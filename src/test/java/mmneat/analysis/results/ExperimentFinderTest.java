@@ -2,6 +2,7 @@ package mmneat.analysis.results;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -49,6 +50,17 @@ class ExperimentFinderTest {
                 });
         assertThatThrownBy(() -> ExperimentFinder.find(List.of(base.resolve("blended/MT"))))
                 .isInstanceOf(UserError.class);
+    }
+
+    @Test
+    void folderThatCannotBeRead_isNamed() throws IOException {
+        RunFixture.run(base, "blended", "2M", 0, 1);
+        Path closed = Files.createDirectory(base.resolve("blended/closed"));
+        assumeThat(closed.toFile().setReadable(false)).isTrue();
+        assumeThat(Files.isReadable(closed)).isFalse();
+        assertThatThrownBy(() -> ExperimentFinder.find(List.of(base.resolve("blended"))))
+                .isInstanceOf(UserError.class)
+                .hasMessage(closed + ": cannot be read: permission denied");
     }
 
     @Test

@@ -14,6 +14,8 @@ import mmneat.mspacman.sensors.Sensor;
 import mmneat.mspacman.sensors.suite.SensorSuite;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A user's sensors, in a jar and on the class path. A user's tasks are tested with the experiments. */
 class OwnClassesTest {
@@ -73,6 +75,17 @@ class OwnClassesTest {
         List<String> labels =
                 labels("task=blended", "jar=" + jar(), "ownSensors=my.NearExit, " + Always.class.getName());
         assertThat(labels).hasSize(32).endsWith("Near Exit", "Always in dir -1");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ownSensors", "objectives"})
+    void emptyNameInAList_isAMistake(String parameter) {
+        for (String list : List.of(",", "my.A,", ",my.A", "my.A,,my.B", " , ")) {
+            assertMistake(
+                    parameter + "=" + list.strip() + ": a name is missing; separate the names by single commas",
+                    "task=blended",
+                    parameter + "=" + list);
+        }
     }
 
     @Test

@@ -230,6 +230,9 @@ class HybridRunsTest {
             delimiter = ' ',
             value = {
                 "blended H:threat=2,edible=1 H21 2,1",
+                "blended h:Threat=2,EDIBLE=1,mmd H21MMD 2,1",
+                "blended h21 H21 2,1",
+                "blended h21mmd H21MMD 2,1",
                 "blended H:edible=1,threat=2 H21 2,1",
                 "interleaved H:threat=1,edible=3,MMD H13MMD 1,3",
                 "isolated H:pills=1,ghosts=2 H12 1,2",
@@ -305,6 +308,7 @@ class HybridRunsTest {
             value = {
                 "task=blended method=H:threat=2 | such as H:threat=1,edible=1 or H:edible=1,threat=1,both=1",
                 "task=blended method=H:threat=2,threat=1 | 'threat=1' is not allowed; give every group once",
+                "task=blended method=H:threat=2,edible=1, | '' is not allowed; give every group once",
                 "task=blended method=H:threat=2,edible=0 | 'edible=0' is not allowed; give every group once",
                 "task=isolated method=H:threat=2,edible=1 | such as H:pills=1,ghosts=1",
                 "task=blended method=H2 | or a hybrid such as H21",

@@ -228,6 +228,9 @@ class OwnPartsTest {
                 "ghostTeam=java.lang.String");
         assertMistake("ghostTeam=Careful: is a controller of Ms. Pac-Man, not of the ghosts", "ghostTeam=Careful");
         assertMistake(
+                "mutations=WeightDecay:0.1,: a name is missing; separate the names by single commas",
+                "mutations=WeightDecay:0.1,");
+        assertMistake(
                 "mutations=WeightDecay: must be the name of a class and its rate from 0 to 1, such as my.Operator:0.1",
                 "mutations=WeightDecay");
         assertMistake(
