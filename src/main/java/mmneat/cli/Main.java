@@ -22,6 +22,7 @@ import mmneat.cli.options.OptionValues;
 import mmneat.cli.output.Display;
 import mmneat.cli.output.StandardOutput;
 import mmneat.cli.output.Terminal;
+import mmneat.experiment.ExitGuard;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.NearestName;
 import mmneat.experiment.PlainText;
@@ -177,6 +178,7 @@ public final class Main implements Callable<Integer> {
         return line;
     }
 
+    /** Runs a command that parsed the command line. Commands that evolve or play guard their own work. */
     private static int checkAndRun(ParseResult parsed) {
         ParseResult command = parsed.hasSubcommand() ? parsed.subcommand() : parsed;
         try {
@@ -188,7 +190,12 @@ public final class Main implements Callable<Integer> {
         } catch (UserError e) {
             throw new ParameterException(command.commandSpec().commandLine(), e.getMessage(), e);
         }
-        return new CommandLine.RunLast().execute(parsed);
+        CommandLine line = command.commandSpec().commandLine();
+        Object user = command.commandSpec().userObject();
+        if (user instanceof Main || user instanceof SubmitCommand || user instanceof PlayCommand) {
+            return new CommandLine.RunLast().execute(parsed);
+        }
+        return ExitGuard.guard(line.getErr(), () -> new CommandLine.RunLast().execute(parsed));
     }
 
     /**

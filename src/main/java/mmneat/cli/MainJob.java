@@ -15,6 +15,7 @@ import mmneat.analysis.evaluation.Champion;
 import mmneat.cli.output.LearningCurve;
 import mmneat.cli.output.Progress;
 import mmneat.cli.output.ResultTable;
+import mmneat.experiment.ExitGuard;
 import mmneat.experiment.parameters.NamedCode;
 import mmneat.experiment.parameters.ParameterCatalogue;
 import mmneat.experiment.parameters.ParameterReader;
@@ -61,22 +62,20 @@ final class MainJob implements Callable<Integer> {
         ParameterReader.Result read = new ParameterReader(ParameterCatalogue.load()).read(words);
         read.remarks().forEach(remark -> errors.println("mmneat: " + remark));
         ExperimentPlan plan = ExperimentPlan.of(read.parameters());
-        ExperimentRunner experiment = new ExperimentRunner(plan);
+        ExperimentRunner experiment = ExitGuard.guard(errors, () -> new ExperimentRunner(plan));
         boolean quiet = read.parameters().flag("quiet");
 
         Progress progress = Progress.start(quiet, out, plan, experiment.monitors());
-        Thread interruption = new Thread(() -> halt(experiment, progress), "interruption");
-        Runtime.getRuntime().addShutdownHook(interruption);
+        ExitGuard guard = new ExitGuard(ExitCode.SOFTWARE, caller -> halt(experiment, progress, caller));
         List<RunOutcome> outcomes;
         boolean goesOn;
         try {
             outcomes = experiment.run();
         } finally {
             progress.close();
-            goesOn = removeHook(interruption);
+            goesOn = guard.remove();
         }
         if (!goesOn) {
-            interruption.join();
             return ExitCode.SOFTWARE;
         }
 
@@ -94,15 +93,6 @@ final class MainJob implements Callable<Integer> {
             showFurther(plan, outcomes, curve);
         }
         return exitCode(outcomes);
-    }
-
-    /** Removes the hook. Returns false if the program is already ending; then the hook reports the result. */
-    private static boolean removeHook(Thread hook) {
-        try {
-            return Runtime.getRuntime().removeShutdownHook(hook);
-        } catch (IllegalStateException e) {
-            return false;
-        }
     }
 
     private void showFurther(ExperimentPlan plan, List<RunOutcome> outcomes, Optional<Path> curve) {
@@ -138,8 +128,8 @@ final class MainJob implements Callable<Integer> {
         return ShellCommand.command(all.toArray(String[]::new));
     }
 
-    /** Called when the process is asked to end: Ctrl-C, SIGTERM. */
-    private void halt(ExperimentRunner experiment, Progress progress) {
+    /** Called when the process is asked to end: Ctrl-C, SIGTERM, or a class of the user's own that calls exit. */
+    private void halt(ExperimentRunner experiment, Progress progress, Optional<String> caller) {
         progress.close();
         boolean finished;
         try {
@@ -148,7 +138,10 @@ final class MainJob implements Callable<Integer> {
             finished = false;
         }
         errors.println();
-        errors.println("mmneat: stopped" + (finished ? "" : " while writing")
+        errors.println("mmneat: "
+                + caller.map(name -> ExitGuard.sentence(name) + "; remove that call")
+                        .orElse("stopped")
+                + (finished ? "" : " while writing")
                 + "; every run is saved up to its last complete generation. To continue, give the same command again:");
         errors.println("  " + ShellCommand.command(words.toArray(String[]::new)));
         errors.flush();

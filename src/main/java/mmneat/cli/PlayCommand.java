@@ -24,6 +24,7 @@ import mmneat.contest.OnFailure;
 import mmneat.contest.Timing;
 import mmneat.contest.entry.ControllerFactory;
 import mmneat.contest.entry.ControllerLoader;
+import mmneat.experiment.ExitGuard;
 import mmneat.experiment.UserError;
 import org.jspecify.annotations.Nullable;
 import pacman.Recording;
@@ -190,7 +191,7 @@ final class PlayCommand extends ConsoleCommand implements Runnable {
         }
         boolean isShown = isShown();
         requireEffect("division", !isHuman && NetworkPlayer.isNetwork(pacMan), "it is for a network");
-        ContestSettings settings = settings(isHuman, isShown);
+        ContestSettings settings = ExitGuard.guard(notes(), () -> settings(isHuman, isShown));
         requireEffect("moveLimit", settings.timing() == Timing.NONE, "a timed game does not wait for an answer");
         requireUsedClassPath(settings);
         requireRecordable(settings);

@@ -13,6 +13,7 @@ import java.util.concurrent.Callable;
 import mmneat.cli.options.ArgumentSyntax;
 import mmneat.cli.options.Range;
 import mmneat.cli.output.OutputFile;
+import mmneat.experiment.ExitGuard;
 import mmneat.experiment.UserError;
 import mmneat.experiment.cluster.CommandList;
 import mmneat.experiment.cluster.CondorSubmitFile;
@@ -141,7 +142,7 @@ final class SubmitCommand extends ConsoleCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         requireEffects();
-        Study study = Study.of(parameters, ParameterCatalogue.load());
+        Study study = ExitGuard.guard(notes(), () -> Study.of(parameters, ParameterCatalogue.load()));
         PrintWriter errors = notes();
         study.remarks().forEach(remark -> errors.println("mmneat: " + remark));
         errors.flush();

@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import mmneat.contest.ContestResult.Repetition;
 import mmneat.contest.GamePlay.Outcome;
+import mmneat.experiment.ExitGuard;
 import mmneat.experiment.PlainText;
 import mmneat.neat.Thrown;
 import pacman.GameSeries;
@@ -20,6 +21,9 @@ import pacman.game.Game;
  * a controller uses its own random generator or the clock.
  */
 public final class Contest {
+
+    /** The exit code if a controller ends the program. */
+    private static final int ENDED = 2;
 
     private static final int PROGRESS_SECONDS = 5;
     private static final long STALL_MILLISECONDS = 10_000;
@@ -50,11 +54,11 @@ public final class Contest {
      */
     public ContestResult play(Consumer<Game> afterStep, Consumer<ContestResult> ended) {
         AtomicInteger playing = new AtomicInteger(1);
-        ExitGuard guard = new ExitGuard(() -> reportEnd(playing.get(), ended));
+        ExitGuard guard = new ExitGuard(ENDED, caller -> reportEnd(caller, playing.get(), ended));
         try (StallNotice stall = new StallNotice(notes, STALL_MILLISECONDS)) {
             playAll(new GamePlay(settings, stall), afterStep, playing);
         } finally {
-            guard.close();
+            guard.remove();
         }
         return tally.result();
     }
@@ -140,10 +144,12 @@ public final class Contest {
         return new Repetition(first.game(), first.score(), first.steps(), score, again.steps());
     }
 
-    private void reportEnd(int playing, Consumer<ContestResult> ended) {
+    /** The calls of exit that the byte code of an entry shows are failures of it; others end the contest. */
+    private void reportEnd(Optional<String> caller, int playing, Consumer<ContestResult> ended) {
         ContestResult result = tally.result();
         ended.accept(result);
-        notes.println("mmneat: the program was ended in game " + playing + " of " + settings.games() + "; "
+        notes.println("mmneat: " + caller.map(ExitGuard::sentence).orElse("the program was ended") + " in game "
+                + playing + " of " + settings.games() + "; "
                 + (result.scores().isEmpty() ? "there is no result" : "the result is that of the games before"));
         notes.flush();
     }

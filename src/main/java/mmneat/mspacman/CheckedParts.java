@@ -26,7 +26,8 @@ public final class CheckedParts {
 
     /** The division; the module must be one of its modules. */
     public static ModuleDivision of(ModuleDivision division) {
-        return new CheckedDivision(division, division.modules(), OwnPart.of("division", division));
+        OwnPart part = OwnPart.of("division", division);
+        return new CheckedDivision(division, part.call(division::modules), part);
     }
 
     /** The objective; its score must be finite. */
@@ -99,7 +100,7 @@ public final class CheckedParts {
 
         @Override
         public String observation(int module) {
-            return division.observation(module);
+            return part.call(() -> division.observation(module));
         }
     }
 
@@ -107,7 +108,7 @@ public final class CheckedParts {
 
         @Override
         public String name() {
-            return objective.name();
+            return part.call(objective::name);
         }
 
         @Override
@@ -117,7 +118,7 @@ public final class CheckedParts {
 
         @Override
         public double worst() {
-            return objective.worst();
+            return part.number(objective::worst);
         }
     }
 }

@@ -28,8 +28,9 @@ public record DraftCheck(OwnPart operator, ActivationFunction activation) {
         T result = operator.call(method);
         for (int i = 0; i < drafts.length; i++) {
             try {
+                requireGenes(drafts[i]);
                 require(drafts[i].checked(), choices[i], pool);
-            } catch (IllegalArgumentException | NullPointerException e) {
+            } catch (IllegalArgumentException e) {
                 throw operator.bad("made an invalid network: " + e.getMessage());
             }
         }
@@ -38,6 +39,18 @@ public record DraftCheck(OwnPart operator, ActivationFunction activation) {
 
     private static int choicesOfTask(ModuleLayout layout) {
         return layout.isDivided() ? layout.choicesOfTask() : 0;
+    }
+
+    private static void requireGenes(GenotypeDraft draft) {
+        if (draft.nodes().contains(null)) {
+            throw new IllegalArgumentException("contains a null node");
+        }
+        if (draft.links().contains(null)) {
+            throw new IllegalArgumentException("contains a null link");
+        }
+        if (draft.moduleUsage() == null) {
+            throw new IllegalArgumentException("moduleUsage is null");
+        }
     }
 
     private void require(Genotype network, int choices, GenePool pool) {

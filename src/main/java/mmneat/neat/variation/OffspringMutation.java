@@ -54,7 +54,11 @@ final class OffspringMutation {
 
         @Override
         public String logName() {
-            return operator.logName();
+            String name = check.operator().call(operator::logName);
+            if (name == null) {
+                throw check.operator().bad("logName gave null");
+            }
+            return name;
         }
 
         @Override

@@ -83,6 +83,7 @@ class OwnPartsFailingTest {
         Stream<String> mutations = Stream.of(
                         "LostInput " + apply + "offspring.nodes().remove(0); return true; }",
                         "NullLink " + apply + "offspring.links().set(0, null); return true; }",
+                        "NullUsage " + apply + "offspring.setModuleUsage(null); return true; }",
                         "NoWeight " + apply + "offspring.links().replaceAll(link -> link.withWeight(0.0 / 0));"
                                 + " return true; }",
                         "Stranger " + apply + "offspring.nodes().add(offspring.inputs(), new mmneat.neat.NodeGene("
@@ -98,11 +99,17 @@ class OwnPartsFailingTest {
                 .map(each -> source(each, "implements mmneat.neat.variation.MutationOperator"));
         Stream<String> crossovers = Stream.of(
                         "NoOutput " + cross + "second.nodes().remove(second.nodes().size() - 1); }",
+                        "NullLinkSecond " + cross + "second.links().add(null); }",
                         "NullNode " + cross + "first.nodes().set(0, null); }",
                         "CrossoverThrower " + cross + THROW + "}",
                         "CrossoverSneak " + cross + SNEAK + "}")
                 .map(each -> source(each, "implements mmneat.neat.variation.CrossoverOperator"));
-        return Stream.concat(mutations, crossovers).toList();
+        String late = apply + "late = true; return true; } private boolean late; public String logName() { if (late) {";
+        Stream<String> names = Stream.of(
+                        "LateName " + late + "return null; } return \"Own\"; }",
+                        "LateNameThrower " + late + THROW + "} return \"Own\"; }")
+                .map(each -> source(each, "implements mmneat.neat.variation.MutationOperator"));
+        return Stream.of(mutations, crossovers, names).flatMap(each -> each).toList();
     }
 
     private static List<String> partsOfTheGame() {
@@ -209,13 +216,17 @@ class OwnPartsFailingTest {
                 selection=my.ParentOutside        | selection my.ParentOutside: chose parent -1; parents are 0 to 5
                 selection=my.ParentThrower        | selection my.ParentThrower: threw java.lang.IllegalStateException: no idea
                 mutations=my.LostInput:1          | mutation my.LostInput: made an invalid network: nodes
-                mutations=my.NullLink:1           | mutation my.NullLink: made an invalid network:
+                mutations=my.NullLink:1           | mutation my.NullLink: made an invalid network: contains a null link
                 mutations=my.NoWeight:1           | mutation my.NoWeight: made an invalid network: links[0]: weight must be finite, is NaN
                 mutations=my.Stranger:1           | this pool: nodes[30] of innovation 7000000 is not in its archetype
                 mutations=my.OtherFunction:1      | mutation my.OtherFunction: made an invalid network: a neuron has the activation function my.Sine; it must be built in or that of the evolution, tanh
                 mutations=my.MutationThrower:1    | mutation my.MutationThrower: threw java.lang.IllegalStateException: no idea at my.MutationThrower.apply
                 crossover=my.NoOutput             | crossover my.NoOutput: made an invalid network: nodes: 33 are too few for 30 inputs and 4 outputs
-                crossover=my.NullNode             | crossover my.NullNode: made an invalid network:
+                crossover=my.NullNode             | crossover my.NullNode: made an invalid network: contains a null node
+                mutations=my.NullUsage:1          | mutation my.NullUsage: made an invalid network: moduleUsage is null
+                crossover=my.NullLinkSecond       | crossover my.NullLinkSecond: made an invalid network: contains a null link
+                mutations=my.LateName:1           | mutation my.LateName: logName gave null
+                mutations=my.LateNameThrower:1    | mutation my.LateNameThrower: threw java.lang.IllegalStateException: no idea at my.LateNameThrower.logName
                 crossover=my.CrossoverThrower     | crossover my.CrossoverThrower: threw java.lang.IllegalStateException: no idea
                 objectives=my.NoScore             | objective my.NoScore: gave NaN; it must give a finite number
                 objectives=my.Endless             | objective my.Endless: gave -Infinity; it must give a finite number
