@@ -200,7 +200,7 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
         for (int i = 0; i < entries.size(); i++) {
             ChampionEvaluation evaluation = evaluations.get(i);
             table.row(
-                    entries.get(i).champion().name(),
+                    entries.get(i).champion().label(),
                     String.valueOf(evaluation.games()),
                     Numbers.score(evaluation.meanScore()),
                     Numbers.score(evaluation.standardDeviation()),

@@ -132,7 +132,7 @@ final class RecordGhostsCommand extends ConsoleCommand implements Runnable {
         OutputFile.write(out, recorder.text());
         PrintWriter lines = out();
         lines.println(out + ": " + recorder.recorded() + " situations from " + recorder.games() + " games of "
-                + champion.name() + "; use it with mazePowerPillGhostMapping=" + out);
+                + champion.label() + "; use it with mazePowerPillGhostMapping=" + out);
         lines.flush();
     }
 

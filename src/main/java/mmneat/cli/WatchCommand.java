@@ -142,7 +142,7 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
             throw new UserError("window=true needs a display, and there is none; write out=game.html or out=game.gif");
         }
         int score = GameWindow.show(settings, champion.genotype(), seed, delay.milliseconds());
-        out().printf(Locale.ROOT, "%s: %,d points%n", champion.name(), score);
+        out().printf(Locale.ROOT, "%s: %,d points%n", champion.label(), score);
     }
 
     private void writeGif(Path out, Champion champion, MsPacManTaskSettings settings) {
@@ -171,7 +171,7 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
 
     private void writePage(Path out, Champion champion, MsPacManTaskSettings settings, Rules rules) {
         ReplayTitle title = new ReplayTitle(
-                settings.games().version().label() + " · " + champion.name(),
+                settings.games().version().label() + " · " + champion.label(),
                 rules.label() + " rules, seed " + seed + ", network "
                         + champion.genotype().id());
         Replay replay = GameRecording.record(settings, champion.genotype(), seed, title);
@@ -180,7 +180,7 @@ final class WatchCommand extends ConsoleCommand implements Runnable {
         out().printf(
                         Locale.ROOT,
                         "%s, %s: %,d points in %,d steps%n%s (%,d kB): open it in a browser%n",
-                        champion.name(),
+                        champion.label(),
                         rules.label(),
                         replay.finalScore(),
                         replay.steps(),

@@ -6,10 +6,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.results.RunFixture;
 import mmneat.neat.ModuleLayout;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class EvaluateCommandTest extends CommandTest {
 
@@ -70,5 +73,22 @@ class EvaluateCommandTest extends CommandTest {
         assertThat(errors.toString())
                 .contains("held another evaluation (4 games; ", "kept as evaluation-training-old-1.csv");
         assertThat(run.resolve("evaluation-training-old-1.csv")).hasContent(whole);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "H111, 'moduleGroups=1,1', 1, 'H11, run 1'",
+        "MT20, multitaskModes=2, 0, 'MT2, run 0'",
+        "MT220, multitaskModes=2, 20, 'MT2, run 20'",
+        "2M11, startingModes=2, 11, 2M11",
+        "own3, 'moduleGroups=1,1', 3, own3"
+    })
+    void labelOfAChampion_tellsMethodAndNumberApart(String folder, String modules, int number, String label)
+            throws IOException {
+        Path run = Files.createDirectories(base.resolve(folder));
+        RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);
+        Files.writeString(
+                run.resolve("parameters.properties"), "task=blended\nrunNumber=" + number + "\n" + modules + "\n");
+        assertThat(Champion.read(run).label()).isEqualTo(label);
     }
 }

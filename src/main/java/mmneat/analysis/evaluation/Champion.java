@@ -12,6 +12,7 @@ import mmneat.analysis.results.RunParameters;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.OwnActivation;
+import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.store.OrdinaryFiles;
 import mmneat.experiment.store.RunLayout;
 import mmneat.neat.Genotype;
@@ -122,7 +123,20 @@ public record Champion(
         return runFolder.flatMap(RunLayout::parametersIn);
     }
 
-    /** A name for headings: the folder and file it was read from. */
+    /**
+     * A name for messages and headings. It is {@link #name}, except for the champion of a run whose folder is named by
+     * method and number, if that can be read in two ways: MT20 is run 20 of MT or run 0 of MT2, H111 is run 1 of H11 or
+     * run 11 of H1. Then it is, for example, "H11, run 1".
+     */
+    public String label() {
+        String number = parameters.getOrDefault("runNumber", "");
+        return PublishedTask.method(parameters)
+                .filter(method -> method.matches("MT|.*\\d") && name().equals(method + number))
+                .map(method -> method + ", run " + number)
+                .orElseGet(this::name);
+    }
+
+    /** A name for file names: the folder or file it was read from. */
     public String name() {
         Path folder = Objects.requireNonNull(file.toAbsolutePath().normalize().getParent());
         String fileName = file.getFileName().toString();

@@ -40,7 +40,7 @@ public final class GhostsOption {
                 PlayerSettings.of(champion, task.version(), rules, file().filter(Files::isReadable));
         requireEffect(
                 settings.games().version() == TaskVersion.ISOLATED,
-                "only the isolated version has recorded ghost locations, and " + champion.name() + " plays another");
+                "only the isolated version has recorded ghost locations, and " + champion.label() + " plays another");
         requireReadable();
         return settings;
     }
