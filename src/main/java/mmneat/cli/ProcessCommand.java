@@ -83,8 +83,8 @@ final class ProcessCommand extends ConsoleCommand implements Runnable {
             }
         }
         runs.remove("");
-        runs.forEach((differences, numbers) -> notes().println("mmneat: run " + String.join(", ", numbers)
-                + " was begun with " + differences + "; the summaries are of the runs as they are"));
+        runs.forEach((differences, numbers) -> notes().println("mmneat: run(s) " + String.join(", ", numbers)
+                + " begun with " + differences + "; the summaries are of the runs as they are"));
         notes().flush();
     }
 

@@ -46,7 +46,7 @@ class ProcessCommandTest extends CommandTest {
         assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X", "runs=2", "mu=77", "mating=true"))
                 .isZero();
         assertThat(errors.toString())
-                .isEqualToIgnoringNewLines("mmneat: run 0, 1 was begun with mu=4 (now 77), mating=false (now true);"
+                .isEqualToIgnoringNewLines("mmneat: run(s) 0, 1 begun with mu=4 (now 77), mating=false (now true);"
                         + " the summaries are of the runs as they are");
         assertThat(execute("process", TASK, "base=" + base, "saveTo=A", "log=X", "runs=2", "mu=4"))
                 .isZero();

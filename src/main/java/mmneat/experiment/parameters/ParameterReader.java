@@ -75,12 +75,7 @@ public final class ParameterReader {
                 Parameters.defaults(catalogue).with(preset(asked.getOrDefault("task", ""), asked.get("method")));
         Parameters named = Parameters.defaults(catalogue).with(file);
         requireNoContradiction(commandLine, named, preset);
-        for (String name : List.of("task", "method")) {
-            if (named.isGiven(name) && isOther(name, commandLine, named)) {
-                remarks.add(name + "=" + named.text(name) + " in config=" + commandLine.get("config")
-                        + " is overridden by " + name + "=" + commandLine.get(name));
-            }
-        }
+        remarkOnOtherName(commandLine, named, remarks);
         Parameters parameters = preset.with(asked);
         Optional<TaskVersion> version = PublishedTask.version(parameters);
         new NamedCode(parameters, commandLine).requireAllowed(version.isPresent(), forGames);
@@ -299,6 +294,19 @@ public final class ParameterReader {
                                 + commandLine.get("task") + ", which means " + name + "=" + preset.text(name)
                                 + ": give a file of this task");
                     });
+        }
+    }
+
+    /** Adds a remark if the command line names another task or method than the file. */
+    private static void remarkOnOtherName(Map<String, String> commandLine, Parameters file, List<String> remarks) {
+        // A file of the original names the task by its class.
+        Optional<String> version = PublishedTask.version(file.values()).map(TaskVersion::label);
+        for (String name : List.of("task", "method")) {
+            boolean isOther = file.isGiven(name) && isOther(name, commandLine, file);
+            if (isOther && !(name.equals("task") && version.equals(Optional.of(commandLine.get(name))))) {
+                remarks.add(name + "=" + file.text(name) + " in config=" + commandLine.get("config")
+                        + " is overridden by " + name + "=" + commandLine.get(name));
+            }
         }
     }
 

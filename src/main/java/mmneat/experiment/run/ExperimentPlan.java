@@ -98,6 +98,10 @@ public record ExperimentPlan(Parameters parameters, String name, Path base, List
             throw new UserError("log=" + log + ": must not contain / or \\, because names of files begin with it;"
                     + " choose the folder with base=FOLDER");
         }
+        if (log.startsWith(".")) {
+            throw new UserError("log=" + log + ": the run's files would be hidden; give a name that does not begin with"
+                    + " a dot");
+        }
         int ending = RunLayout.longestEnding(parameters.integer("maxGens"));
         boolean isTooLong = bytes(log + lastRun + "_") + ending > LONGEST_NAME
                 || Stream.of((saveTo + lastRun).split("[/\\\\]")).anyMatch(part -> bytes(part) > LONGEST_NAME);

@@ -123,7 +123,7 @@ public record Study(List<Part> parts, List<String> remarks) {
                 + (place.endsWith(second.plan().name() + FILES) ? "files, " : "the folder ") + place
                 + (given.isEmpty()
                         ? ": submit them one at a time, one of them with saveTo=NAME"
-                        : ": leave out " + given + ", or submit them one at a time");
+                        : ": leave out " + given + ", or submit them one at a time under different names");
     }
 
     private static List<String> publishedMethods(String task) {

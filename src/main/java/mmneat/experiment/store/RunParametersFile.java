@@ -75,9 +75,9 @@ public final class RunParametersFile {
     public void requireSame(Parameters parameters) {
         List<String> differing = differences(parameters);
         if (!differing.isEmpty()) {
-            throw new UserError(directory + " was begun with " + String.join(", ", differing)
-                    + sameName(read(), values(parameters))
-                            .orElse("; give the same to continue it, or another folder with base=FOLDER"));
+            throw new UserError(sameName(read(), values(parameters))
+                    .orElse(directory + " was begun with " + String.join(", ", differing)
+                            + "; give the same to continue it, or another folder with base=FOLDER"));
         }
     }
 
@@ -103,18 +103,19 @@ public final class RunParametersFile {
     }
 
     /**
-     * The reason why runs with different numbers have one folder: the name before the number ends in a digit, as that
-     * of a hybrid does. Empty if the numbers are equal.
+     * The mistake that two runs with different numbers have one folder: the name before the number ends in a digit, as
+     * that of a hybrid does. Empty if the name or the number is the same.
      */
-    private static Optional<String> sameName(Map<String, String> saved, Map<String, String> asked) {
-        String number = saved.get("runNumber");
-        String nameNow = asked.get("saveTo");
-        if (number == null || nameNow == null || number.equals(asked.get("runNumber"))) {
+    private Optional<String> sameName(Map<String, String> saved, Map<String, String> asked) {
+        String other = saved.getOrDefault("saveTo", "");
+        String name = asked.getOrDefault("saveTo", "");
+        String number = saved.getOrDefault("runNumber", "");
+        String numberNow = asked.getOrDefault("runNumber", "");
+        if (other.isEmpty() || name.isEmpty() || other.equals(name) || number.equals(numberNow)) {
             return Optional.empty();
         }
-        return Optional.of("; run " + number + " of " + saved.getOrDefault("saveTo", "another experiment") + " and run "
-                + asked.get("runNumber") + " of " + nameNow + " would have the same folder; give saveTo=" + nameNow
-                + "-");
+        return Optional.of(directory + " is run " + number + " of " + other + ", and run " + numberNow + " of " + name
+                + " would have the same folder; give saveTo=" + name + "-");
     }
 
     /**

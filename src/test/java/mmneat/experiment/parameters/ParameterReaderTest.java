@@ -151,6 +151,9 @@ class ParameterReaderTest {
         assertThat(reader.read(List.of(config, "task=blended", "method=MMD")).remarks())
                 .isEmpty();
         assertThat(reader.read(List.of(config, "mu=10")).remarks()).isEmpty();
+        Path original = Files.writeString(folder.resolve("original.properties"), "task=MsPacManTask\nmu=20\n");
+        assertThat(reader.read(List.of("config=" + original, "task=blended")).remarks())
+                .isEmpty();
     }
 
     @ParameterizedTest

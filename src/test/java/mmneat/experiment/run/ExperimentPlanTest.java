@@ -225,6 +225,14 @@ class ExperimentPlanTest {
     }
 
     @ParameterizedTest
+    @ValueSource(strings = {".", "..", ".x"})
+    void logOfHiddenFiles_isRefused(String log) {
+        assertThatThrownBy(() -> plan("task=blended", "log=" + log))
+                .isInstanceOf(UserError.class)
+                .hasMessageStartingWith("log=" + log + ": the run's files would be hidden");
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"a/b", "/tmp/x", "..\\x", "\\u0000", "../x"})
     void logWithAPath_isRefused(String log) {
         assertThatThrownBy(() -> ExperimentPlan.of(

@@ -293,8 +293,8 @@ class HybridRunsTest {
         assertThat(other.directory()).isEqualTo(begun.directory());
         assertThatThrownBy(() -> new RunParametersFile(other.directory()).requireSame(other.parameters()))
                 .isInstanceOf(UserError.class)
-                .hasMessageEndingWith("; run %s of %s and run %s of %s would have the same folder; give saveTo=%s-"
-                        .formatted(firstRun, first, secondRun, second, second));
+                .hasMessage("%s is run %s of %s, and run %s of %s would have the same folder; give saveTo=%s-"
+                        .formatted(other.directory(), firstRun, first, secondRun, second, second));
         RunPlan renamed = ExperimentPlan.of(
                         parameters(("saveTo=" + second + "- " + String.join(" ", words)).split(" ")))
                 .runs()
