@@ -307,6 +307,11 @@ class CompareCommandTest extends CommandTest {
         Files.writeString(evaluation, whole);
 
         Path parameters = run.resolve("parameters.properties");
+        String all = Files.readString(parameters);
+        for (String name : new String[] {"runNumber", "maxGens", "startingModes"}) {
+            Files.writeString(parameters, all.replaceFirst("(?m)^" + name + "=.*$", name + "=-3"));
+            assertMistake(parameters + ": " + name + "=-3: must not be negative", "compare", experiment);
+        }
         for (String text : new String[] {"", "# All parameters of this run\n", "mu=100\n"}) {
             Files.writeString(parameters, text);
             String problem = parameters + (text.startsWith("mu") ? ": does not name the task" : ": is empty");

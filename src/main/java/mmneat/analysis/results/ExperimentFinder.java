@@ -7,6 +7,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,19 +38,38 @@ public final class ExperimentFinder {
      */
     public static List<Experiment> find(List<Path> paths) {
         Map<Path, List<RunResult>> groups = new LinkedHashMap<>();
+        Set<Path> known = new HashSet<>();
         for (Path path : paths) {
-            Map<Path, List<RunResult>> found = group(runFolders(path));
-            if (found.isEmpty()) {
+            List<Path> folders = runFolders(path);
+            if (folders.isEmpty()) {
                 throw new UserError(path
                         + reason(path)
                         + "; give the folder of an experiment, for example results/blended or results/blended/2M");
             }
-            // The same run may be meant twice, for instance by results/blended/2M and results/blended/2M0.
-            found.forEach((stem, runs) -> groups.merge(stem, runs, ExperimentFinder::union));
+            // The same run may be meant twice: by results/blended/2M and results/blended/2M0, or by a link to its
+            // folder.
+            group(withoutKnown(folders, known))
+                    .forEach((stem, runs) -> groups.merge(stem, runs, ExperimentFinder::union));
         }
         List<Experiment> experiments = new ArrayList<>();
         groups.forEach((stem, runs) -> experiments.add(experiment(stem, runs)));
         return withLabels(experiments, List.copyOf(groups.keySet()));
+    }
+
+    /** Returns the folders that are not known, each once and under its own name rather than that of a link to it. */
+    private static List<Path> withoutKnown(List<Path> folders, Set<Path> known) {
+        return folders.stream()
+                .sorted(Comparator.comparing(Files::isSymbolicLink))
+                .filter(folder -> known.add(realPath(folder)))
+                .toList();
+    }
+
+    private static Path realPath(Path folder) {
+        try {
+            return folder.toRealPath();
+        } catch (IOException e) {
+            throw FileErrors.unreadable(folder, e);
+        }
     }
 
     private static String reason(Path path) {

@@ -15,7 +15,8 @@ import mmneat.experiment.store.RunLayout;
 public final class RunParameters {
 
     /** Names of the parameters that must be whole numbers. */
-    private static final List<String> WHOLE_NUMBERS = List.of("runNumber", "startingModes", "multitaskModes");
+    private static final List<String> WHOLE_NUMBERS =
+            List.of("runNumber", "startingModes", "multitaskModes", "maxGens");
 
     private static final List<String> NUMBERS = List.of("mmdRate", "mmrRate");
 
@@ -44,7 +45,13 @@ public final class RunParameters {
             throw new UserError(file.get() + ": " + (parameters.isEmpty() ? "is empty" : "does not name the task")
                     + "; restore it or leave the run out");
         }
-        WHOLE_NUMBERS.forEach(name -> PropertiesFile.requireWholeNumber(file.get(), parameters, name));
+        for (String name : WHOLE_NUMBERS) {
+            PropertiesFile.requireWholeNumber(file.get(), parameters, name);
+            if (parameters.getOrDefault(name, "").startsWith("-")) {
+                throw new UserError(
+                        file.get() + ": " + name + "=" + parameters.get(name) + ": must not be negative; restore it");
+            }
+        }
         NUMBERS.forEach(name -> PropertiesFile.requireNumber(file.get(), parameters, name));
         return parameters;
     }

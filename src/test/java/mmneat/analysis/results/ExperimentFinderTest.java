@@ -174,6 +174,22 @@ class ExperimentFinderTest {
     }
 
     @Test
+    void linkToTheFolderOfARun_isNoRunOfItsOwn() throws IOException {
+        Path run = RunFixture.run(base, "blended", "2M", 0, 1, 2);
+        RunFixture.run(base, "blended", "2M", 1, 1, 2);
+        Path earlier = Files.createSymbolicLink(base.resolve("blended/1M0"), Path.of("2M0"));
+        Path later = Files.createSymbolicLink(base.resolve("blended/2M7"), Path.of("2M0"));
+        for (List<Path> paths :
+                List.of(List.of(base.resolve("blended")), List.of(run, base.resolve("blended/2M"), earlier, later))) {
+            assertThat(ExperimentFinder.find(paths)).singleElement().satisfies(experiment -> assertThat(
+                            experiment.runs())
+                    .extracting(found -> found.folder().getFileName().toString())
+                    .containsExactly("2M0", "2M1"));
+        }
+        assertThat(ExperimentFinder.find(List.of(later))).hasSize(1);
+    }
+
+    @Test
     void noRuns_isAnErrorThatNamesThePath() {
         assertThatThrownBy(() -> ExperimentFinder.find(List.of(base.resolve("nothing"))))
                 .isInstanceOf(UserError.class)
