@@ -28,11 +28,13 @@ import mmneat.cli.options.RulesOption;
 import mmneat.cli.options.TaskOption;
 import mmneat.cli.output.ProgressTicker;
 import mmneat.cli.output.QuantityText;
+import mmneat.experiment.ExitGuard;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.UserError;
 import mmneat.neat.ModuleLayout;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -131,14 +133,32 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
                 ChampionEvaluator.Evaluations started = evaluator.begin(entries)) {
             started.remarks().forEach(notes()::println);
             notes().flush();
-            long all = (long) games * entries.size();
-            long start = System.nanoTime();
-            List<ChampionEvaluation> evaluations = ProgressTicker.during(
-                    notes(), () -> List.of(progressLine(evaluator, all, System.nanoTime() - start)), started::finish);
-            print(entries, evaluations);
+            print(entries, finish(evaluator, started, (long) games * entries.size()));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new UserError("interrupted; to continue, give the same command again", e);
+        }
+    }
+
+    /** Waits for the games and shows their progress. If the program is stopped, it prints how to continue. */
+    private List<ChampionEvaluation> finish(
+            ChampionEvaluator evaluator, ChampionEvaluator.Evaluations started, long all) throws InterruptedException {
+        List<String> words = commandLine().getParseResult().originalArgs();
+        ExitGuard guard = new ExitGuard(ExitCode.SOFTWARE, caller -> {
+            // An exit that the user's own classes call is reported by the guard around all commands.
+            if (caller.isEmpty()) {
+                notes().println("\nmmneat: stopped; finished games are saved in blocks of " + ChampionEvaluator.BLOCK
+                        + ". To continue, give the same command again:");
+                notes().println("  " + ShellCommand.command(words.toArray(String[]::new)));
+                notes().flush();
+            }
+        });
+        try {
+            long start = System.nanoTime();
+            return ProgressTicker.during(
+                    notes(), () -> List.of(progressLine(evaluator, all, System.nanoTime() - start)), started::finish);
+        } finally {
+            guard.remove();
         }
     }
 

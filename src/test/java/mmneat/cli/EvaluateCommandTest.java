@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import mmneat.ProgramRun;
 import mmneat.analysis.evaluation.Champion;
 import mmneat.analysis.results.RunFixture;
 import mmneat.neat.ModuleLayout;
@@ -73,6 +74,39 @@ class EvaluateCommandTest extends CommandTest {
         assertThat(errors.toString())
                 .contains("held another evaluation (4 games; ", "kept as evaluation-training-old-1.csv");
         assertThat(run.resolve("evaluation-training-old-1.csv")).hasContent(whole);
+    }
+
+    @Test
+    void stoppedEvaluation_saysHowToContinue_andContinues() throws Exception {
+        Path run = RunFixture.run(base, "blended", "2M", 0, 1000, 2000);
+        RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);
+        Path messages = base.resolve("messages.txt");
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        ProgramRun.classPath(),
+                        "mmneat.cli.Main",
+                        "evaluate",
+                        run.toString(),
+                        "games=1000000",
+                        "threads=1")
+                .redirectErrorStream(true)
+                .redirectOutput(messages.toFile())
+                .start();
+        Path table = run.resolve("evaluation-training.csv");
+        while (process.isAlive() && (!Files.exists(table) || Files.size(table) < 2000)) {
+            Thread.sleep(50);
+        }
+        process.destroy();
+        assertThat(process.waitFor()).isEqualTo(128 + 15);
+        assertThat(messages)
+                .content()
+                .contains(
+                        "stopped; finished games are saved in blocks of 20. To continue, give the same command again:")
+                .contains(" evaluate " + run + " games=1000000 threads=1");
+        List<String> games = Files.readAllLines(table);
+        assertThat(execute("evaluate", run.toString(), "games=1")).isZero();
+        assertThat(table).content().startsWith(String.join("\n", games.subList(0, 21)));
     }
 
     @ParameterizedTest

@@ -34,7 +34,8 @@ import mmneat.neat.io.GenotypeJson;
  */
 public final class ChampionEvaluator implements AutoCloseable {
 
-    private static final int BLOCK = 20;
+    /** Number of games that are played one after the other and written together. */
+    public static final int BLOCK = 20;
 
     private final Rules rules;
     private final int games;
