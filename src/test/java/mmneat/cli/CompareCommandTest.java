@@ -289,6 +289,11 @@ class CompareCommandTest extends CommandTest {
         String empty = champion + ": is damaged (the file is empty); restore it or leave the run out";
         assertMistake(empty, "compare", experiment);
         assertMistake(empty, "report", experiment, report);
+        for (String json : new String[] {"[]", "1", "{\"id\":null}"}) {
+            Files.writeString(champion, json);
+            assertMistake(champion + ": is damaged (the network has no id)", "compare", experiment);
+        }
+        Files.writeString(champion, "");
         Files.delete(run.resolve("evaluation-training.json"));
         assertMistake(champion + ": is empty; restore it", "evaluate", run.toString());
         assertMistake(champion + ": is empty; restore it", "report", experiment, report);

@@ -1,5 +1,6 @@
 package mmneat.analysis.evaluation;
 
+import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -89,9 +90,7 @@ public final class ChampionEvaluator implements AutoCloseable {
             EvaluationName name = name(champion, settings);
             long[] seeds = name.seeds(games);
             results = new ArrayList<>(begin(name, champion.genotype().modules()));
-            if (results.isEmpty()) {
-                keepSummary();
-            }
+            keepSummary();
             found.addAndGet(Math.min(games, results.size()));
             for (int first = results.size(); first < games; first += BLOCK) {
                 int from = first;
@@ -121,16 +120,29 @@ public final class ChampionEvaluator implements AutoCloseable {
             }
         }
 
-        /** Keeps the summary of other games; {@link #finish} replaces it. */
+        /** Keeps the summary of other games, or of more games than this evaluation has; {@link #finish} replaces it. */
         private void keepSummary() {
             try {
-                if (Files.exists(summary)) {
-                    Path copy = KeptFiles.keep(summary, TextFiles.bytes(summary, TextFiles.TABLE_MIB));
+                if (!Files.exists(summary)) {
+                    return;
+                }
+                byte[] content = TextFiles.bytes(summary, TextFiles.SETTINGS_MIB);
+                if (results.isEmpty() || gamesIn(content) > Math.max(games, results.size())) {
+                    Path copy = KeptFiles.keep(summary, content);
                     remarks.add(summary + ": is the summary of other games; kept as " + copy.getFileName());
                 }
             } catch (IOException e) {
                 file.close();
                 throw FileErrors.unreadable(summary, e);
+            }
+        }
+
+        /** The number of games in a summary; 0 if it is damaged. */
+        private static int gamesIn(byte[] content) throws IOException {
+            try {
+                return new ObjectMapper().readTree(content).path("games").asInt();
+            } catch (JacksonException e) {
+                return 0;
             }
         }
 

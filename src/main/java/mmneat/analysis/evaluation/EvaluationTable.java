@@ -1,6 +1,7 @@
 package mmneat.analysis.evaluation;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -38,7 +39,7 @@ record EvaluationTable(EvaluationName evaluation, int modules, List<GameResult> 
             return Optional.empty();
         }
         try {
-            return parse(file, TextFiles.text(file, TextFiles.TABLE_MIB));
+            return parse(file, new String(TextFiles.bytes(file, TextFiles.TABLE_MIB), StandardCharsets.UTF_8));
         } catch (IOException e) {
             throw FileErrors.unreadable(file, e);
         }

@@ -114,14 +114,23 @@ public final class RunReader {
             throw new UserError(file + ": is damaged (rules cannot be " + PlainText.shown(evaluation.rules())
                     + "); remove it and run evaluate again");
         }
-        Path champion = folder.resolve(RunLayout.CHAMPION);
         // A continued run has another champion, to which this evaluation does not apply.
-        boolean isOfAnother = Files.exists(champion)
-                && json(champion, JsonNode.class, "; restore it or leave the run out")
-                                .path("id")
-                                .asLong()
-                        != evaluation.network();
-        return isOfAnother ? Optional.empty() : Optional.of(evaluation);
+        return isOfChampion(evaluation, folder.resolve(RunLayout.CHAMPION))
+                ? Optional.of(evaluation)
+                : Optional.empty();
+    }
+
+    /** Whether an evaluation is of the champion in a file; true if there is no such file. */
+    private static boolean isOfChampion(ChampionEvaluation evaluation, Path champion) {
+        if (!Files.exists(champion)) {
+            return true;
+        }
+        String remedy = "; restore it or leave the run out";
+        JsonNode id = json(champion, JsonNode.class, remedy).path("id");
+        if (!id.isIntegralNumber()) {
+            throw new UserError(champion + ": is damaged (the network has no id)" + remedy);
+        }
+        return id.asLong() == evaluation.network();
     }
 
     private static <T> T json(Path file, Class<T> type, String remedy) {

@@ -172,6 +172,25 @@ class ChampionEvaluatorTest {
     }
 
     @Test
+    void summaryOfMoreGamesThanTheTableHas_isKept() throws Exception {
+        evaluate(Rules.TRAINING, 5, 1);
+        String summary = Files.readString(run.resolve("evaluation-training.json"));
+        String table = table();
+        Files.writeString(
+                run.resolve("evaluation-training.csv"),
+                String.join("\n", table.lines().limit(3).toList()) + "\n");
+        evaluate(Rules.TRAINING, 5, 1);
+        assertThat(run.resolve("evaluation-training-old-1.json")).doesNotExist();
+        assertThat(table()).isEqualTo(table);
+
+        Files.writeString(
+                run.resolve("evaluation-training.csv"),
+                String.join("\n", table.lines().limit(3).toList()) + "\n");
+        assertThat(evaluate(Rules.TRAINING, 1, 1).games()).isEqualTo(2);
+        assertThat(run.resolve("evaluation-training-old-1.json")).hasContent(summary);
+    }
+
+    @Test
     void damagedLine_isRefused_andTheTableLeftAlone() throws Exception {
         evaluate(Rules.TRAINING, 5, 1);
         List<String> lines = new ArrayList<>(table().lines().toList());
