@@ -215,7 +215,7 @@ public final class Main implements Callable<Integer> {
     /** Refuses a first word without "=" or ":", which was meant to be a command. */
     private void requireParameters(CommandLine line) {
         String first = words.get(0);
-        if (first.equals("help")) {
+        if (words.equals(List.of("help"))) {
             return;
         }
         if (first.startsWith("-")) {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import mmneat.experiment.FileErrors;
 import mmneat.experiment.FolderPlace;
 import mmneat.experiment.UserError;
+import mmneat.experiment.run.ExperimentView;
 import mmneat.experiment.store.DurableFiles;
 import mmneat.experiment.store.RunLayout;
 
@@ -60,6 +61,9 @@ public final class OutputFile {
     /** Refuses files of a run: a command that reads runs must not replace what they have written. */
     private static void requireOutsideRuns(String label, Path file) {
         try {
+            if (Files.isRegularFile(file) && ExperimentView.isListOfRuns(file.toRealPath())) {
+                throw new UserError(label + ": this is the list of an experiment's runs; give another name");
+            }
             Optional<Path> run = RunLayout.runWith(file);
             if (run.isPresent()) {
                 throw new UserError(

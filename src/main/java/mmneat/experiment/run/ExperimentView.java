@@ -156,9 +156,14 @@ public record ExperimentView(String name, Path base, List<RunView> runs) {
         }
     }
 
+    /** Whether a file has the name of an experiment's list of requested runs. */
+    public static boolean isListOfRuns(Path file) {
+        return file.getFileName() != null && file.getFileName().toString().endsWith(ASKED);
+    }
+
     private static List<RunView> asked(Path file) throws IOException {
         String fileName = file.getFileName().toString();
-        if (!fileName.endsWith(ASKED) || !Files.exists(file)) {
+        if (!isListOfRuns(file) || !Files.exists(file)) {
             return List.of();
         }
         String name = fileName.substring(0, fileName.length() - ASKED.length());

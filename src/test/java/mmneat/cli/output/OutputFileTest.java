@@ -85,6 +85,16 @@ class OutputFileTest {
     }
 
     @Test
+    void listOfTheRunsOfAnExperiment_isRefused() throws IOException {
+        Path file = Files.writeString(folder.resolve("blended-2M.runs.json"), "{}");
+        assertThatThrownBy(() -> OutputFile.require("out", file))
+                .isInstanceOf(UserError.class)
+                .hasMessage("out=" + file + ": this is the list of an experiment's runs; give another name");
+        assertThatThrownBy(() -> OutputFile.write(file, "x")).isInstanceOf(UserError.class);
+        assertThat(file).hasContent("{}");
+    }
+
+    @Test
     void linkToAFileOfARun_isRefused() throws IOException {
         Path run = Files.createDirectories(folder.resolve("2M0"));
         Path file = Files.writeString(run.resolve("parameters.properties"), "task=blended");
