@@ -63,9 +63,15 @@ public class Executor {
 
     // ------------------------------------------------------------------------------------------- untimed games
 
-    /** Plays games with fixed seeds and prints the score of each, and at the end their mean. */
+    /**
+     * Plays games with fixed seeds and prints the score of each, and at the end their mean.
+     *
+     * @param trials number of games, at least 1
+     * @throws IllegalArgumentException if it is less than 1
+     */
     public void runExperiment(
             Controller<MOVE> pacManController, Controller<EnumMap<GHOST, MOVE>> ghostController, int trials) {
+        requireGames("trials", trials);
         GameSeries games = new GameSeries(GameRules.competition(), BATCH_SEED);
         UntimedRun run = new UntimedRun(pacManController, ghostController, UntimedRun.DueTime.PER_CONTROLLER);
         double sum = 0;
@@ -109,9 +115,7 @@ public class Executor {
             int games,
             long seed,
             GameRules rules) {
-        if (games < 1) {
-            throw new IllegalArgumentException("games must be at least 1, is " + games);
-        }
+        requireGames("games", games);
         GameSeries series = new GameSeries(rules, seed);
         List<Integer> scores = new ArrayList<>();
         long steps = 0;
@@ -122,6 +126,12 @@ public class Executor {
             steps += game.getTotalTime();
         }
         return new ExperimentResult(scores, steps);
+    }
+
+    private static void requireGames(String name, int games) {
+        if (games < 1) {
+            throw new IllegalArgumentException(name + " must be at least 1, is " + games);
+        }
     }
 
     /** Plays the given game to its end. */

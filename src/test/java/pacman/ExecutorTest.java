@@ -368,6 +368,11 @@ class ExecutorTest {
             steps += game.getTotalTime();
         }
         assertThat(results[0].steps()).isEqualTo(steps);
+        for (int trials : new int[] {0, -1}) {
+            assertThatThrownBy(() -> executor.runExperiment(new StarterPacMan(), new Legacy(), trials))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("trials must be at least 1, is " + trials);
+        }
         assertThatThrownBy(() -> executor.runExperiment(StarterPacMan::new, Legacy::new, 0, 7))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("games must be at least 1, is 0");

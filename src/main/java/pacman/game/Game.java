@@ -457,9 +457,14 @@ public final class Game {
         return ghosts;
     }
 
-    /** Whether a ghost is a threat: neither edible nor in the lair. */
+    /**
+     * Whether a ghost is a threat: neither edible nor in the lair.
+     *
+     * @param ghostIndex 0 to 3
+     * @throws IndexOutOfBoundsException if there is no such ghost
+     */
     public boolean isGhostThreat(int ghostIndex) {
-        return state.isThreat(ghostIndex);
+        return state.isThreat(requireGhost(ghostIndex));
     }
 
     /** Nodes of the threats, in ghost order. */
@@ -825,26 +830,33 @@ public final class Game {
                 state.tables, from, to, lastMoveMade.ordinal(), metric, towards, state.rules.conventions());
     }
 
-    // ---- State for sensors, by index and without allocation
+    /*
+     * State for sensors, by index and without allocation. A ghost's index is 0 to 3; another one throws an
+     * IndexOutOfBoundsException.
+     */
+
+    private static int requireGhost(int ghost) {
+        return Objects.checkIndex(ghost, GHOSTS.length);
+    }
 
     /** Node of a ghost by index 0 to 3. */
     public int ghostNode(int ghost) {
-        return state.ghostNode(ghost);
+        return state.ghostNode(requireGhost(ghost));
     }
 
     /** Edible time of a ghost by index. */
     public int ghostEdibleTime(int ghost) {
-        return state.ghosts[GameState.EDIBLE + ghost];
+        return state.ghosts[GameState.EDIBLE + requireGhost(ghost)];
     }
 
     /** Lair time of a ghost by index. */
     public int ghostLairTime(int ghost) {
-        return state.ghosts[GameState.LAIR + ghost];
+        return state.ghosts[GameState.LAIR + requireGhost(ghost)];
     }
 
     /** Last move of a ghost by index: 0 up, 1 right, 2 down, 3 left, 4 none. */
     public int ghostLastMove(int ghost) {
-        return state.ghostMove(ghost);
+        return state.ghostMove(requireGhost(ghost));
     }
 
     /** Ms.&nbsp;Pac-Man's last move: 0 up, 1 right, 2 down, 3 left, 4 none. */
@@ -957,9 +969,13 @@ public final class Game {
         return state.eatenGhosts;
     }
 
-    /** How often one ghost, 0 to 3, was eaten. */
+    /**
+     * How often one ghost, 0 to 3, was eaten.
+     *
+     * @throws IndexOutOfBoundsException if there is no such ghost
+     */
     public int getEatenGhosts(int ghostIndex) {
-        return state.ghosts[GameState.EATEN + ghostIndex];
+        return state.ghosts[GameState.EATEN + requireGhost(ghostIndex)];
     }
 
     /** Sum of the multipliers 1, 2, 4, 8 of the ghosts eaten. */
