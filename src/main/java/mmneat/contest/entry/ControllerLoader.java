@@ -186,6 +186,10 @@ public final class ControllerLoader {
         known.addAll(classPath.controllerNames());
         String suggestion = NearestName.suggestion(name, known);
         if (!classPath.isEmpty()) {
+            String source = classPath.sourceHint(name);
+            if (!source.isEmpty()) {
+                return new UserError("there is no class '" + name + "' in " + classPath + source);
+            }
             return new UserError("there is no class '" + name + "' in " + classPath
                     + (suggestion.isEmpty()
                             ? " (controllers there: " + classPath.controllerNames() + ")"

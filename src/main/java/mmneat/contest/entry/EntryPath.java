@@ -14,6 +14,7 @@ import java.util.jar.JarFile;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
+import mmneat.experiment.ClassPlace;
 import mmneat.experiment.UserError;
 
 /** The user's class path: jars and class folders, and the classes in them. */
@@ -105,6 +106,15 @@ final class EntryPath {
                 .toList();
     }
 
+    /** Returns the end of a message about a missing class if a place has its source code; else empty. */
+    String sourceHint(String className) {
+        return places.stream()
+                .map(place -> ClassPlace.sourceHint(place, className))
+                .filter(hint -> !hint.isEmpty())
+                .findFirst()
+                .orElse("");
+    }
+
     @Override
     public String toString() {
         return places.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
@@ -119,6 +129,7 @@ final class EntryPath {
         if (!Files.exists(place)) {
             throw new UserError(option + ": there is no file or folder " + place);
         }
+        ClassPlace.require(option + "=" + place, place);
         try {
             return Files.isDirectory(place) ? classesInFolder(place) : classesInJar(place);
         } catch (IOException e) {

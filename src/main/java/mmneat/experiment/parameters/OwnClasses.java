@@ -12,6 +12,7 @@ import java.util.Objects;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import mmneat.experiment.ClassPlace;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.UserError;
 import mmneat.neat.Thrown;
@@ -86,6 +87,7 @@ final class OwnClasses {
         if (!Files.isReadable(file)) {
             throw new UserError("jar=" + jar + ": the file is missing or not readable");
         }
+        ClassPlace.require("jar=" + jar, file);
         try {
             return file.toUri().toURL();
         } catch (MalformedURLException e) {
@@ -108,7 +110,9 @@ final class OwnClasses {
         } catch (ClassNotFoundException e) {
             throw new UserError(
                     asked + ": there is no such class"
-                            + (jar.isEmpty() ? "; name its jar with jar=FILE" : " in " + jar),
+                            + (jar.isEmpty()
+                                    ? "; name its jar with jar=FILE"
+                                    : " in " + jar + ClassPlace.sourceHint(Path.of(jar), className)),
                     e);
         } catch (ClassCastException e) {
             throw new UserError(

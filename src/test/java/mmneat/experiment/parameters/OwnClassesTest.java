@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import mmneat.CompiledClasses;
+import mmneat.contest.entry.ControllerLoader;
 import mmneat.experiment.UserError;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.sensors.Observation;
@@ -86,6 +88,34 @@ class OwnClassesTest {
                     "task=blended",
                     parameter + "=" + list);
         }
+    }
+
+    @Test
+    void jarThatIsNoJar_isAMistakeThatSaysWhatToGive(@TempDir Path places) throws IOException {
+        Path source = Files.writeString(places.resolve("Parity.java"), "class Parity {}");
+        Path single = Files.writeString(places.resolve("Single.class"), "");
+        Path text = Files.writeString(places.resolve("notes.txt"), "notes");
+        String compile = ": is source code; compile it first, and give the jar or the folder of its classes";
+        assertMistake("jar=" + source + compile, "task=Parity", "jar=" + source);
+        assertMistake(
+                "jar=" + single + ": is a single class; give the folder of its package, or a jar",
+                "task=Parity",
+                "jar=" + single);
+        assertMistake(
+                "jar=" + text + ": is not a readable jar or class folder: zip END header not found",
+                "task=Parity",
+                "jar=" + text);
+        assertMistake(
+                "task=my.Parity: there is no such class in " + places + ", but its source code, " + source
+                        + "; compile it first",
+                "task=my.Parity",
+                "jar=" + places);
+        assertThatThrownBy(() -> new ControllerLoader(List.of(source)))
+                .isInstanceOf(UserError.class)
+                .hasMessage("classpath=" + source + compile);
+        assertThatThrownBy(() -> new ControllerLoader(List.of(places)).pacMan("Parity"))
+                .isInstanceOf(UserError.class)
+                .hasMessageEndingWith("but its source code, " + source + "; compile it first");
     }
 
     @Test
