@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -53,10 +52,7 @@ final class UnlikeRuns {
             notes.add(which + " have different settings: "
                     + names.stream()
                             .map(name -> values(
-                                    runs,
-                                    run -> name + "="
-                                            + Objects.requireNonNullElse(
-                                                    run.parameters().get(name), "(not given)")))
+                                    runs, run -> name + "=" + run.parameters().getOrDefault(name, "(not given)")))
                             .collect(Collectors.joining("; "))
                     + ".");
         }
@@ -86,8 +82,7 @@ final class UnlikeRuns {
         boolean areAlike =
                 evaluations(runs).map(ChampionEvaluation::games).distinct().count() <= 1
                         && evaluations(runs)
-                                        .map(ChampionEvaluation::seed)
-                                        .filter(Objects::nonNull)
+                                        .flatMap(evaluation -> Stream.ofNullable(evaluation.seed()))
                                         .distinct()
                                         .count()
                                 <= 1;

@@ -120,11 +120,12 @@ final class TasksCommand extends ConsoleCommand implements Runnable {
         ghosts.requireEffect(
                 versions.contains(TaskVersion.ISOLATED.label()),
                 "only the isolated version has recorded ghost locations");
-        if (out != null) {
-            OutputFile.require("out", out);
+        Path table = out;
+        if (table != null) {
+            OutputFile.require("out", table);
             for (String name : players == null ? List.<String>of() : names(players)) {
                 NetworkPlayer.file(name)
-                        .ifPresent(file -> OutputFile.requireOther("out", out, "players=" + name, file));
+                        .ifPresent(file -> OutputFile.requireOther("out", table, "players=" + name, file));
             }
         }
         CsvText csv = new CsvText(

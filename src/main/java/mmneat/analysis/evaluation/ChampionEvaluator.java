@@ -29,9 +29,9 @@ import mmneat.neat.io.GenotypeJson;
 /**
  * Evaluates champions over many games on all cores.
  *
- * <p>Every game has a generator of its own. {@link EvaluationName#seeds} gives their seeds. So the result is the same
- * for any number of threads, and any game can be repeated alone. Games are played in blocks, and blocks are written in
- * order.
+ * <p>Every game has a generator of its own. The seed of game n is the n-th draw from a generator with the evaluation's
+ * seed. So the result is the same for any number of threads, and any game can be repeated alone. Games are played in
+ * blocks, and blocks are written in order.
  */
 public final class ChampionEvaluator implements AutoCloseable {
 

@@ -11,6 +11,7 @@ import mmneat.experiment.FileErrors;
 import mmneat.experiment.PlainText;
 import mmneat.experiment.TextFiles;
 import mmneat.experiment.UserError;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The games of an evaluation, read from its file. Every value is checked, because the file may be damaged or come from
@@ -102,7 +103,7 @@ record EvaluationTable(EvaluationName evaluation, int modules, List<GameResult> 
         return line.substring(line.lastIndexOf(',') + 1);
     }
 
-    private static UserError damaged(Path file, int line, String problem) {
+    private static UserError damaged(Path file, int line, @Nullable String problem) {
         return new UserError(file + ", line " + line + ": " + problem + REMEDY);
     }
 }

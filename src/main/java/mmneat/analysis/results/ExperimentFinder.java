@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -212,7 +213,7 @@ public final class ExperimentFinder {
         try {
             return RunReader.isRun(folder);
         } catch (UncheckedIOException e) {
-            requireVanished(folder, e.getCause());
+            requireVanished(folder, Objects.requireNonNull(e.getCause()));
             return false;
         }
     }

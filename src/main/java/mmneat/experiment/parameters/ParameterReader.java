@@ -303,7 +303,7 @@ public final class ParameterReader {
         Optional<String> version = PublishedTask.version(file.values()).map(TaskVersion::label);
         for (String name : List.of("task", "method")) {
             boolean isOther = file.isGiven(name) && isOther(name, commandLine, file);
-            if (isOther && !(name.equals("task") && version.equals(Optional.of(commandLine.get(name))))) {
+            if (isOther && !(name.equals("task") && version.equals(Optional.ofNullable(commandLine.get(name))))) {
                 remarks.add(name + "=" + file.text(name) + " in config=" + commandLine.get("config")
                         + " is overridden by " + name + "=" + commandLine.get(name));
             }
