@@ -52,6 +52,9 @@ record EvaluationTable(EvaluationName evaluation, int modules, List<GameResult> 
         List<String> lines =
                 content.substring(0, content.lastIndexOf('\n') + 1).lines().toList();
         if (lines.isEmpty()) {
+            if (!GameResult.canBeginHeader(content)) {
+                throw damaged(file, 1, "it is not the header of a table of games");
+            }
             return Optional.empty();
         }
         int modules = modules(file, lines.get(0));

@@ -67,6 +67,11 @@ public record GameResult(
         return GAME_COLUMNS + "," + counts + ",evaluation";
     }
 
+    /** Whether a text without a line end can be the beginning of a header. */
+    static boolean canBeginHeader(String text) {
+        return GAME_COLUMNS.startsWith(text) || text.startsWith(GAME_COLUMNS) && text.indexOf('\r') < 0;
+    }
+
     private static String column(ModuleUse.When when, int module) {
         return when.name().toLowerCase(Locale.ROOT) + "_module_" + (module + 1);
     }

@@ -142,6 +142,15 @@ class EvaluationTableTest {
         assertRefused(text(withoutLine), 4, "column game: '3' must be 2, as games are in order");
     }
 
+    @Test
+    void textWithoutLineEnds_isRefused_unlessItBeginsAHeader() {
+        assertRefused("x", 1, "it is not the header of a table of games");
+        assertRefused(text(lines()).replace('\n', '\r'), 1, "it is not the header of a table of games");
+        assertThat(EvaluationTable.parse(FILE, "game,se")).isEmpty();
+        assertThat(EvaluationTable.parse(FILE, GameResult.header(3))).isEmpty();
+        assertThat(read(text(lines()).replace("\n", "\r\n")).games()).hasSize(GAMES);
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"x\n", "\n", "game,seed\n", "0,1,2\n1,2,3\n"})
     void anotherFirstLine_isNoTable(String text) {
