@@ -44,6 +44,23 @@ class EvaluateCommandTest extends CommandTest {
     }
 
     @Test
+    void championInBothForms_isToldAsOne() throws IOException {
+        Path run = RunFixture.run(base, "blended", "2M", 0, 1000, 2000);
+        Path champion = RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);
+        Path folder = Files.createDirectory(run.resolve("bestPacMan"));
+        Path other = Files.copy(champion, folder.resolve("bestPacMan.xml"));
+        assertMistake(
+                other + ": another of these champions has the same table, " + run.resolve("evaluation-training.csv")
+                        + "; name one of them",
+                "evaluate",
+                run.toString(),
+                other.toString(),
+                "games=3");
+        assertThat(execute("evaluate", other.toString(), "games=3")).isZero();
+        assertThat(run.resolve("evaluation-training.csv")).content().hasLineCount(4);
+    }
+
+    @Test
     void tableWithADamagedLine_isRefusedByEvaluateAndReport() throws IOException {
         Path run = RunFixture.run(base, "blended", "2M", 0, 1000, 2000);
         RunFixture.champion(run, ModuleLayout.withPreferenceNeurons(2, 1), 1);

@@ -68,6 +68,15 @@ public final class ChampionEvaluator implements AutoCloseable {
         return played.get();
     }
 
+    /** The file in the folder of the champion's run, or beside a network that is not the champion of a run. */
+    private static Path place(Champion champion, String name) {
+        boolean isOfRun = champion.runFolder().isPresent() && RunLayout.isNamedAsChampion(champion.file());
+        Path folder = isOfRun
+                ? champion.runFolder().get()
+                : champion.file().toAbsolutePath().getParent();
+        return Objects.requireNonNull(folder).resolve(isOfRun ? name : champion.name() + "-" + name);
+    }
+
     /** A champion that is being evaluated. */
     private final class Job implements AutoCloseable {
         private final long network;
@@ -80,12 +89,8 @@ public final class ChampionEvaluator implements AutoCloseable {
 
         Job(Champion champion, MsPacManTaskSettings settings) {
             network = champion.genotype().id();
-            Path folder =
-                    Objects.requireNonNull(champion.file().toAbsolutePath().getParent());
-            String prefix = champion.runFolder().isPresent() && isOfRun(champion) ? "" : champion.name() + "-";
-            Path place = prefix.isEmpty() ? champion.runFolder().get() : folder;
-            table = place.resolve(prefix + RunLayout.evaluationGames(rules.label()));
-            summary = place.resolve(prefix + RunLayout.evaluationSummary(rules.label()));
+            table = place(champion, RunLayout.evaluationGames(rules.label()));
+            summary = place(champion, RunLayout.evaluationSummary(rules.label()));
             file = new EvaluationFile(table);
             EvaluationName name = name(champion, settings);
             long[] seeds = name.seeds(games);
@@ -97,11 +102,6 @@ public final class ChampionEvaluator implements AutoCloseable {
                 int to = Math.min(games, first + BLOCK);
                 blocks.add(threads.submit(() -> play(settings, champion.genotype(), seeds, from, to)));
             }
-        }
-
-        /** The champion of the run, not some other network in its folder. */
-        private boolean isOfRun(Champion champion) {
-            return RunLayout.isNamedAsChampion(champion.file());
         }
 
         /** Opens the table. If it cannot be read, the lock is released. */
@@ -238,7 +238,14 @@ public final class ChampionEvaluator implements AutoCloseable {
     public Evaluations begin(List<Entry> entries) {
         List<Job> jobs = new ArrayList<>();
         try {
-            entries.forEach(entry -> jobs.add(new Job(entry.champion(), entry.settings())));
+            for (Entry entry : entries) {
+                Path table = place(entry.champion(), RunLayout.evaluationGames(rules.label()));
+                if (jobs.stream().anyMatch(job -> job.table.equals(table))) {
+                    throw new UserError(entry.champion().file() + ": another of these champions has the same table, "
+                            + table + "; name one of them");
+                }
+                jobs.add(new Job(entry.champion(), entry.settings()));
+            }
         } catch (UserError e) {
             jobs.forEach(Job::close);
             throw e;
