@@ -63,7 +63,7 @@ final class TimedRun {
                 steps++;
                 punctualPacMan += Decisions.of(pacMan).isUpToDate() ? 1 : 0;
                 punctualGhosts += Decisions.of(ghosts).isUpToDate() ? 1 : 0;
-                game.advanceGame(pacMan.getMove(), ghosts.getMove());
+                advance(game);
                 afterTick.accept(game);
             }
             return report();
@@ -73,6 +73,20 @@ final class TimedRun {
         } finally {
             pacMan.terminate();
             ghosts.terminate();
+        }
+    }
+
+    /** Advances by the stored answers. An answer of a wrong type is a failure of the controller that gave it. */
+    private void advance(Game game) {
+        int time = game.getTotalTime();
+        Controller<?> asked = pacMan;
+        try {
+            MOVE move = pacMan.getMove();
+            asked = ghosts;
+            game.advanceGame(move, ghosts.getMove());
+        } catch (Throwable failure) {
+            ControllerFailure.report(failure, asked, time);
+            throw failure;
         }
     }
 

@@ -99,9 +99,20 @@ final class UntimedRun {
             throw failure;
         }
         if (directGhosts == null) {
-            game.advanceGame(move, moves);
+            advance(game, move, moves);
         } else {
             game.advanceGame(move, directMoves);
+        }
+    }
+
+    /** Advances by a map of the ghosts' controller, whose methods and values may be anything. */
+    private void advance(Game game, @Nullable MOVE move, @Nullable EnumMap<GHOST, MOVE> moves) {
+        int time = game.getTotalTime();
+        try {
+            game.advanceGame(move, moves);
+        } catch (Throwable failure) {
+            ControllerFailure.report(failure, ghosts, time);
+            throw failure;
         }
     }
 

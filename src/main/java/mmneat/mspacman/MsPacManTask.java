@@ -14,6 +14,7 @@ import mmneat.mspacman.objectives.RecordedScore;
 import mmneat.mspacman.sensors.suite.NetworkInputs;
 import mmneat.mspacman.sensors.suite.SensorSuite;
 import mmneat.neat.Genotype;
+import mmneat.neat.Thrown;
 import mmneat.random.ResumableRandom;
 import org.jspecify.annotations.Nullable;
 import pacman.controllers.DirectGhosts;
@@ -171,7 +172,10 @@ public final class MsPacManTask implements Task {
             return play(setting, game, player, random, observer);
         } catch (CancellationException e) {
             throw e;
-        } catch (RuntimeException e) {
+        } catch (Throwable e) {
+            if (new Thrown(e).isOfTheMachine()) {
+                throw e;
+            }
             throw new FailedEvaluationException("trial " + (trial + 1) + " of " + trials(), e);
         }
     }

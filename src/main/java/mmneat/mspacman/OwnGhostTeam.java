@@ -17,6 +17,8 @@ import pacman.game.Game;
  */
 public final class OwnGhostTeam extends NewGhostController {
 
+    private static final GHOST[] GHOSTS = GHOST.values();
+
     private final Supplier<? extends Controller<EnumMap<GHOST, MOVE>>> teams;
     private Controller<EnumMap<GHOST, MOVE>> team;
     private OwnPart part;
@@ -41,6 +43,15 @@ public final class OwnGhostTeam extends NewGhostController {
 
     @Override
     public @Nullable EnumMap<GHOST, MOVE> getMove(Game game, long timeDue) {
-        return part.call(() -> team.getMove(game, timeDue));
+        return part.call(() -> {
+            EnumMap<GHOST, MOVE> moves = team.getMove(game, timeDue);
+            if (moves != null) {
+                // A map of another type fails here, where the team is named, and not in the game.
+                for (GHOST ghost : GHOSTS) {
+                    MOVE.class.cast(moves.get(ghost));
+                }
+            }
+            return moves;
+        });
     }
 }

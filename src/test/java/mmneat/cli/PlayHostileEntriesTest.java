@@ -62,6 +62,17 @@ class PlayHostileEntriesTest extends CommandTest {
         sources.add(pacMan("BuiltCyclic", "return null; } public BuiltCyclic() { if (true) throw Cycle.made();"));
         sources.add(pacMan("Static", "return null; } static { if (true) Sneaks.sneak();"));
         sources.add(pacMan("StaticError", "return null; } static { if (true) throw new AssertionError(\"no\");"));
+        sources.add("@SuppressWarnings({\"rawtypes\"}) public class Raw extends pacman.controllers.Controller {"
+                + " public Object getMove(pacman.game.Game game, long due) { return \"left\"; } }");
+        sources.add(ghosts(
+                "Texts",
+                "java.util.EnumMap moves = new java.util.EnumMap(pacman.game.Constants.GHOST.class);"
+                        + " for (pacman.game.Constants.GHOST ghost : pacman.game.Constants.GHOST.values())"
+                        + " { moves.put(ghost, \"left\"); } return moves;"));
+        sources.add(ghosts(
+                "Maps",
+                "return new java.util.EnumMap<>(pacman.game.Constants.GHOST.class) {"
+                        + " public pacman.game.Constants.MOVE get(Object ghost) { throw Sneaks.sneak(); } };"));
         classes =
                 CompiledClasses.compile(folder, System.getProperty("java.class.path"), sources.toArray(String[]::new));
     }
@@ -110,6 +121,9 @@ class PlayHostileEntriesTest extends CommandTest {
             pacman=ThrowsNullFill | ThrowsNullFill failed: NullFill
             ghosts=SneakGhosts    | SneakGhosts failed: java.io.IOException: checked
             ghosts=CyclicGhosts   | CyclicGhosts failed: java.lang.RuntimeException: round
+            pacman=Raw            | Raw failed: java.lang.ClassCastException: class java.lang.String cannot be cast
+            ghosts=Texts          | Texts failed: java.lang.ClassCastException: class java.lang.String cannot be cast
+            ghosts=Maps           | Maps failed: java.io.IOException: checked
             pacman=Built          | the constructor of Built threw java.io.IOException: checked
             pacman=BuiltCyclic    | the constructor of BuiltCyclic threw java.lang.RuntimeException: round
             """)
@@ -139,6 +153,13 @@ class PlayHostileEntriesTest extends CommandTest {
         } finally {
             Thread.setDefaultUncaughtExceptionHandler(before);
         }
+    }
+
+    /** The answers arrive, but the game cannot use them. */
+    @ParameterizedTest
+    @ValueSource(strings = {"pacman=Raw", "ghosts=Texts", "ghosts=Maps"})
+    void answersOfAnotherType_failTimedGamesToo(String word) {
+        assertFailure(word.split("=")[1] + " failed: java.", word, "timed=fast");
     }
 
     @Test

@@ -168,6 +168,11 @@ class OwnPartsFailingTest {
                 "LateTeam private static int teams; public LateTeam() { if (++teams == 3) {" + SNEAK + "} }" + move
                         + "return null; }",
                 controller));
+        sources.add(source(
+                "TextMoves " + move
+                        + "java.util.EnumMap moves = new java.util.EnumMap(pacman.game.Constants.GHOST.class);"
+                        + " moves.put(pacman.game.Constants.GHOST.SUE, \"left\"); return moves; }",
+                controller));
         sources.add(source("NoMoves " + move + "return null; }", controller));
         sources.add(source(
                 "AnyMoves " + move + "var moves = new java.util.EnumMap<pacman.game.Constants.GHOST,"
@@ -237,6 +242,7 @@ class OwnPartsFailingTest {
                 ownSensors=my.GradeOutside        | sensor my.GradeOutside: gave grade 4; it must be 0 to 3
                 ownSensors=my.GradeThrower        | sensor my.GradeThrower: threw java.lang.IllegalStateException: no idea at my.GradeThrower.grade
                 ghostTeam=my.MoveThrower          | ghost team my.MoveThrower: threw java.lang.IllegalStateException: no idea at my.MoveThrower.getMove
+                ghostTeam=my.TextMoves            | ghost team my.TextMoves: threw java.lang.ClassCastException: Cannot cast java.lang.String
                 pacmanMultitaskScheme=my.NegativeModule | division my.NegativeModule: gave module -1; it must be 0 to 1
                 pacmanMultitaskScheme=my.ThirdModule    | division my.ThirdModule: gave module 2; it must be 0 to 1
                 pacmanMultitaskScheme=my.ModuleThrower  | division my.ModuleThrower: threw java.lang.IllegalStateException: no idea at my.ModuleThrower.module
