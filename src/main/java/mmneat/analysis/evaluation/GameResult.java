@@ -115,7 +115,7 @@ public record GameResult(
         String[] columns = header(modules).split(",");
         if (cells.length != columns.length) {
             throw new IllegalArgumentException(
-                    "has " + cells.length + " columns instead of " + columns.length + ": '" + shown(line) + "'");
+                    "must have " + columns.length + " columns, has " + cells.length + ": '" + shown(line) + "'");
         }
         int number = (int) whole("game", cells[0], 0, Integer.MAX_VALUE);
         long seed = whole("seed", cells[1], Long.MIN_VALUE, Long.MAX_VALUE);

@@ -130,10 +130,10 @@ class EvaluationTableTest {
 
     @Test
     void linesThatAreNoGames_areRefused() {
-        assertRefused(text(lines()) + "5,x\n", 8, "has 2 columns instead of 22: '5,x'");
-        assertRefused(text(lines()) + "\n", 8, "has 1 columns instead of 22");
+        assertRefused(text(lines()) + "5,x\n", 8, "must have 22 columns, has 2: '5,x'");
+        assertRefused(text(lines()) + "\n", 8, "must have 22 columns, has 1");
         assertRefused(text(lines()) + text(lines()), 8, "column game: 'game' must be a whole number");
-        assertRefused(text(lines()) + "x".repeat(100) + "\u001b\n", 8, "has 1 columns");
+        assertRefused(text(lines()) + "x".repeat(100) + "\u001b\n", 8, "must have 22 columns, has 1");
         List<String> doubled = lines();
         doubled.add(3, doubled.get(2));
         assertRefused(text(doubled), 4, "column game: '1' must be 2, as games are in order");
