@@ -75,6 +75,11 @@ public record MsPacManTaskSettings(GameSettings games, NetworkSettings networks,
         return new MsPacManTaskSettings(games, change.apply(networks), objectives);
     }
 
+    /** Returns these settings with other objectives. */
+    public MsPacManTaskSettings withObjectives(List<GameObjective> value) {
+        return new MsPacManTaskSettings(games, networks, value);
+    }
+
     /** Returns these settings with another number of trials. */
     public MsPacManTaskSettings withTrials(int number) {
         return withGames(changed -> changed.withTrials(number));

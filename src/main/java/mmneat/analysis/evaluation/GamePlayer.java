@@ -12,6 +12,7 @@ import mmneat.mspacman.ModuleUse;
 import mmneat.mspacman.MsPacManTask;
 import mmneat.mspacman.MsPacManTaskSettings;
 import mmneat.mspacman.TrialGame;
+import mmneat.mspacman.objectives.GameObjective;
 import mmneat.neat.Genotype;
 import mmneat.random.ResumableRandom;
 import org.jspecify.annotations.Nullable;
@@ -20,8 +21,12 @@ import pacman.game.Game;
 /** Plays single games of a network and records their results. Not thread-safe. */
 final class GamePlayer implements EvaluationObserver {
 
+    /** Indices into {@link GameObjective#PUBLISHED}. */
     private static final int GHOSTS = 0;
+
     private static final int PILLS = 1;
+
+    /** Index into the other scores of the task. */
     private static final int SCORE = 0;
 
     private final MsPacManTask task;
@@ -34,7 +39,8 @@ final class GamePlayer implements EvaluationObserver {
     private ModuleUse use;
 
     GamePlayer(MsPacManTaskSettings settings, Genotype genotype) {
-        task = new MsPacManTask(settings.forSingleGames());
+        // Tables of games have the same columns whatever the network was selected for.
+        task = new MsPacManTask(settings.forSingleGames().withObjectives(GameObjective.PUBLISHED));
         this.genotype = genotype;
     }
 

@@ -63,6 +63,18 @@ class ChampionEvaluatorTest {
     }
 
     @Test
+    void evaluation_isTheSame_whateverTheNetworkWasSelectedFor() throws Exception {
+        evaluate(Rules.TRAINING, 5, 2);
+        String table = table();
+        for (String objectives : List.of("GameScore", "PillScore,GhostRewardScore", "PillScore,GameScore")) {
+            Files.delete(run.resolve("evaluation-training.csv"));
+            writeParameters("objectives=" + objectives);
+            evaluate(Rules.TRAINING, 5, 2);
+            assertThat(table()).as(objectives).isEqualTo(table);
+        }
+    }
+
+    @Test
     void evaluation_isTheSame_forAnyNumberOfThreads() throws Exception {
         ChampionEvaluation one = evaluate(Rules.TRAINING, 50, 1);
         String table = table();
