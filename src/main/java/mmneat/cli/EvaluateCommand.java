@@ -34,7 +34,6 @@ import mmneat.experiment.UserError;
 import mmneat.neat.ModuleLayout;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -144,14 +143,12 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
     private List<ChampionEvaluation> finish(
             ChampionEvaluator evaluator, ChampionEvaluator.Evaluations started, long all) throws InterruptedException {
         List<String> words = commandLine().getParseResult().originalArgs();
-        ExitGuard guard = new ExitGuard(ExitCode.SOFTWARE, caller -> {
-            // An exit that the user's own classes call is reported by the guard around all commands.
-            if (caller.isEmpty()) {
-                notes().println("\nmmneat: stopped; finished games are saved in blocks of " + ChampionEvaluator.BLOCK
-                        + ". To continue, give the same command again:");
-                notes().println("  " + ShellCommand.command(words.toArray(String[]::new)));
-                notes().flush();
-            }
+        // An exit that the user's own classes call is reported by the guard around all commands.
+        ExitGuard guard = ExitGuard.within(() -> {
+            notes().println("\nmmneat: stopped; finished games are saved in blocks of " + ChampionEvaluator.BLOCK
+                    + ". To continue, give the same command again:");
+            notes().println("  " + ShellCommand.command(words.toArray(String[]::new)));
+            notes().flush();
         });
         try {
             long start = System.nanoTime();

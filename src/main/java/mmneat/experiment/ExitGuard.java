@@ -34,16 +34,31 @@ public final class ExitGuard {
      *     nothing if the program ends for another reason, such as Ctrl-C
      */
     public ExitGuard(int code, Consumer<Optional<String>> report) {
-        hook = new Thread(
-                () -> {
-                    Optional<String> caller = caller(Thread.getAllStackTraces());
-                    report.accept(caller);
-                    if (caller.isPresent()) {
-                        Runtime.getRuntime().halt(code);
-                    }
-                },
-                "end of the program");
+        this(caller -> {
+            report.accept(caller);
+            if (caller.isPresent()) {
+                Runtime.getRuntime().halt(code);
+            }
+        });
+    }
+
+    private ExitGuard(Consumer<Optional<String>> end) {
+        hook = new Thread(() -> end.accept(caller(Thread.getAllStackTraces())), "end of the program");
         Runtime.getRuntime().addShutdownHook(hook);
+    }
+
+    /**
+     * Starts to guard within the time of another guard, which reports calls of exit. Hooks run at the same time, so
+     * this one must not end the program before the other has reported.
+     *
+     * @param report reports the end for another reason, such as Ctrl-C, in the hook's thread
+     */
+    public static ExitGuard within(Runnable report) {
+        return new ExitGuard(caller -> {
+            if (caller.isEmpty()) {
+                report.run();
+            }
+        });
     }
 
     /** Does work of a command that may call foreign code; if that code calls exit, the command fails with one line. */
