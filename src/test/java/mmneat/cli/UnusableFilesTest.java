@@ -45,6 +45,8 @@ class UnusableFilesTest extends CommandTest {
                 Arguments.of("lock.json", "status"),
                 Arguments.of("parameters.properties", "compare"),
                 Arguments.of("generations.csv", "compare"),
+                Arguments.of("evaluation-training.csv", "evaluate"),
+                Arguments.of("evaluation-training.csv", "report"),
                 Arguments.of("champion.json", "watch"));
     }
 
