@@ -1,6 +1,5 @@
 package mmneat.cli;
 
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -29,7 +28,7 @@ import mmneat.cli.options.TaskOption;
 import mmneat.cli.output.ProgressTicker;
 import mmneat.cli.output.QuantityText;
 import mmneat.experiment.ExitGuard;
-import mmneat.experiment.FileErrors;
+import mmneat.experiment.FolderPlace;
 import mmneat.experiment.UserError;
 import mmneat.neat.ModuleLayout;
 import org.jspecify.annotations.Nullable;
@@ -177,17 +176,8 @@ final class EvaluateCommand extends ConsoleCommand implements Runnable {
         }
         // A champion that is named twice, for example as a folder and as a file or a link, plays once.
         Map<Path, Champion> byFile = new LinkedHashMap<>();
-        champions.forEach(champion -> byFile.putIfAbsent(realPath(champion.file()), champion));
+        champions.forEach(champion -> byFile.putIfAbsent(FolderPlace.real(champion.file()), champion));
         return List.copyOf(byFile.values());
-    }
-
-    /** The file itself, without the links that lead to it. */
-    private static Path realPath(Path file) {
-        try {
-            return file.toRealPath();
-        } catch (IOException e) {
-            throw FileErrors.unreadable(file, e);
-        }
     }
 
     private void report(List<ChampionEvaluator.Entry> entries) {

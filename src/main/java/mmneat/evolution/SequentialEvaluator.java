@@ -72,9 +72,7 @@ public final class SequentialEvaluator implements Evaluator {
         } catch (CancellationException | BadEvaluationException e) {
             throw e;
         } catch (Throwable e) {
-            if (new Thrown(e).isOfTheMachine()) {
-                throw e;
-            }
+            new Thrown(e).passOnIfOfTheMachine();
             throw new FailedEvaluationException(whose(genotype, generation), e);
         }
     }

@@ -23,6 +23,19 @@ public final class FolderPlace {
         }
     }
 
+    /**
+     * The file or folder itself, without the links that lead to it.
+     *
+     * @throws UserError if it cannot be read, for example because it is missing
+     */
+    public static Path real(Path file) {
+        try {
+            return file.toRealPath();
+        } catch (IOException e) {
+            throw FileErrors.unreadable(file, e);
+        }
+    }
+
     /** The path of a file without symbolic links; of a missing file as far as its folders exist. */
     public static Path withoutLinks(Path file) throws IOException {
         Path absolute = file.toAbsolutePath();

@@ -173,9 +173,7 @@ public final class MsPacManTask implements Task {
         } catch (CancellationException e) {
             throw e;
         } catch (Throwable e) {
-            if (new Thrown(e).isOfTheMachine()) {
-                throw e;
-            }
+            new Thrown(e).passOnIfOfTheMachine();
             throw new FailedEvaluationException("trial " + (trial + 1) + " of " + trials(), e);
         }
     }

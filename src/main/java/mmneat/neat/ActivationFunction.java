@@ -147,9 +147,7 @@ public final class ActivationFunction {
         try {
             activation = own.of(sum);
         } catch (Throwable e) {
-            if (new Thrown(e).isOfTheMachine()) {
-                throw e;
-            }
+            new Thrown(e).passOnIfOfTheMachine();
             throw new BadPartException(described(), e);
         }
         if (!Double.isFinite(activation)) {

@@ -29,9 +29,7 @@ public record OwnPart(String description) {
         } catch (BadPartException e) {
             throw e;
         } catch (Throwable e) {
-            if (new Thrown(e).isOfTheMachine()) {
-                throw e;
-            }
+            new Thrown(e).passOnIfOfTheMachine();
             throw new BadPartException(description, e);
         }
     }

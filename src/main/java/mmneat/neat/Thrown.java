@@ -66,8 +66,15 @@ public record Thrown(Throwable exception) {
      * Whether it says something about the Java virtual machine, such as exhausted memory, and not about the code that
      * threw it. Endless recursion is a failure of the code.
      */
-    public boolean isOfTheMachine() {
+    boolean isOfTheMachine() {
         return exception instanceof VirtualMachineError && !(exception instanceof StackOverflowError);
+    }
+
+    /** Throws the exception again if it {@linkplain #isOfTheMachine says something about the machine}. */
+    public void passOnIfOfTheMachine() {
+        if (isOfTheMachine()) {
+            throw (VirtualMachineError) exception;
+        }
     }
 
     private static @Nullable Throwable causeOf(Throwable exception) {

@@ -61,12 +61,13 @@ record EvaluationTable(EvaluationName evaluation, int modules, List<GameResult> 
         if (lines.size() == 1) {
             return Optional.empty();
         }
+        String[] columns = lines.get(0).split(",");
         EvaluationName evaluation = name(file, lines.get(1));
         long[] seeds = evaluation.seeds(lines.size() - 1);
         List<GameResult> games = new ArrayList<>();
         for (String line : lines.subList(1, lines.size())) {
             try {
-                games.add(game(line, modules, evaluation, games.size(), seeds));
+                games.add(game(line, columns, evaluation, games.size(), seeds));
             } catch (IllegalArgumentException e) {
                 throw damaged(file, games.size() + 2, e.getMessage());
             }
@@ -74,8 +75,8 @@ record EvaluationTable(EvaluationName evaluation, int modules, List<GameResult> 
         return Optional.of(new EvaluationTable(evaluation, modules, games));
     }
 
-    private static GameResult game(String line, int modules, EvaluationName evaluation, int number, long[] seeds) {
-        GameResult game = GameResult.parse(line, modules);
+    private static GameResult game(String line, String[] columns, EvaluationName evaluation, int number, long[] seeds) {
+        GameResult game = GameResult.parse(line, columns);
         GameResult.require(game.number() == number, "game", game.number(), "be " + number + ", as games are in order");
         GameResult.require(
                 game.seed() == seeds[number], "seed", game.seed(), "be " + seeds[number] + ", the seed of this game");

@@ -106,13 +106,13 @@ public record GameResult(
     /**
      * Reads a line that {@link #line} made. The last column is not checked.
      *
-     * @param modules of the network that played
+     * @param columns the names of the columns of its table, those of the {@link #header}
      * @throws IllegalArgumentException if it is another line or a value is impossible; the message names the column and
      *     the value
      */
-    static GameResult parse(String line, int modules) {
+    static GameResult parse(String line, String[] columns) {
         String[] cells = line.split(",", -1);
-        String[] columns = header(modules).split(",");
+        int modules = modules(columns.length);
         if (cells.length != columns.length) {
             throw new IllegalArgumentException(
                     "must have " + columns.length + " columns, has " + cells.length + ": '" + shown(line) + "'");

@@ -18,6 +18,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import mmneat.experiment.FileErrors;
+import mmneat.experiment.FolderPlace;
 import mmneat.experiment.UserError;
 import mmneat.experiment.parameters.PublishedTask;
 import mmneat.experiment.run.ExperimentView;
@@ -61,16 +62,8 @@ public final class ExperimentFinder {
     private static List<Path> withoutKnown(List<Path> folders, Set<Path> known) {
         return folders.stream()
                 .sorted(Comparator.comparing(Files::isSymbolicLink))
-                .filter(folder -> known.add(realPath(folder)))
+                .filter(folder -> known.add(FolderPlace.real(folder)))
                 .toList();
-    }
-
-    private static Path realPath(Path folder) {
-        try {
-            return folder.toRealPath();
-        } catch (IOException e) {
-            throw FileErrors.unreadable(folder, e);
-        }
     }
 
     private static String reason(Path path) {

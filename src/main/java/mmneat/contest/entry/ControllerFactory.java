@@ -135,9 +135,7 @@ public final class ControllerFactory<T> {
         } catch (UserError e) {
             throw e;
         } catch (Throwable e) {
-            if (new Thrown(e).isOfTheMachine()) {
-                throw e;
-            }
+            new Thrown(e).passOnIfOfTheMachine();
             // An Error that a static initialiser throws arrives unwrapped.
             throw new UserError("the static initialiser of " + type.getName() + " threw " + PlainText.shown(e), e);
         } finally {

@@ -133,9 +133,7 @@ final class OwnClasses {
         try {
             answer = method.get();
         } catch (Throwable e) {
-            if (new Thrown(e).isOfTheMachine()) {
-                throw e;
-            }
+            new Thrown(e).passOnIfOfTheMachine();
             throw new UserError(asked + " threw " + PlainText.shown(e), e);
         }
         if (answer == null) {
@@ -182,9 +180,7 @@ final class OwnClasses {
             throw new UserError(asked + ": needs a public constructor " + arguments, e);
         } catch (Error e) {
             // An Error that a static initialiser throws arrives unwrapped.
-            if (new Thrown(e).isOfTheMachine()) {
-                throw e;
-            }
+            new Thrown(e).passOnIfOfTheMachine();
             throw notCreated(asked, e);
         }
     }

@@ -31,25 +31,22 @@ public final class OrdinaryFiles {
      * @throws UserError if it is one of them
      */
     public static void require(Path file) {
-        if (Files.isSymbolicLink(file)) {
+        BasicFileAttributes attributes;
+        try {
+            attributes = Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
+        } catch (NoSuchFileException e) {
+            return;
+        } catch (IOException e) {
+            throw FileErrors.unreadable(file, e);
+        }
+        if (attributes.isSymbolicLink()) {
             throw new UserError(
                     file + ": is a symbolic link, and the files of a run are not read or written through links;"
                             + " put the file itself there, or remove the link");
         }
-        if (isSpecial(file)) {
+        if (attributes.isOther()) {
             throw new UserError(
-                    file + ": is a pipe, socket or device, and the files of a run are ordinary files;" + " remove it");
-        }
-    }
-
-    private static boolean isSpecial(Path file) {
-        try {
-            return Files.readAttributes(file, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS)
-                    .isOther();
-        } catch (NoSuchFileException e) {
-            return false;
-        } catch (IOException e) {
-            throw FileErrors.unreadable(file, e);
+                    file + ": is a pipe, socket or device, and the files of a run are ordinary files; remove it");
         }
     }
 
